@@ -38,6 +38,7 @@ internal sealed partial class FallingMode : ILocomotionMode
     private Drift drift;
     private bool goesLimp;
     private bool getsUp;
+    private bool hasMoved;
 
     /// <summary>Wraps a way of moving.</summary>
     /// <param name="subject">Whose.</param>
@@ -180,12 +181,13 @@ internal sealed partial class FallingMode : ILocomotionMode
         if (goesLimp)
         {
             goesLimp = false;
-            if (State == BodyState.Afloat || (State == BodyState.Supported && !inner.StandsOnFeet))
+            if (layer != null)
             {
-                Lying.HoldBody(local);
+                Lying.Hold(local);
             }
 
-            Lying.Begin(next, local, place, dt, ground);
+            // The pose before the first that is shown is the rest pose, and what lies between them no velocity.
+            Lying.Begin(next, local, place, hasMoved ? dt : 0f, ground);
             State = BodyState.Limp;
             Tell(MotionEventKind.WentLimp, next, settings.Up, 0f, 0f);
             if (blow.Joint >= 0)
@@ -200,6 +202,7 @@ internal sealed partial class FallingMode : ILocomotionMode
             blow = Blow.None;
         }
 
+        hasMoved = true;
         return next;
     }
 
@@ -228,6 +231,7 @@ internal sealed partial class FallingMode : ILocomotionMode
         }
 
         water?.Fade(goal, dt, settings, local);
+        hasMoved = true;
     }
 
     /// <inheritdoc/>
@@ -238,6 +242,7 @@ internal sealed partial class FallingMode : ILocomotionMode
         water?.Stop();
         local.SetToRest(subject.Skeleton);
         inner.Stand(place, settings, ground, layer, local);
+        hasMoved = true;
     }
 
     /// <inheritdoc/>
@@ -252,7 +257,7 @@ internal sealed partial class FallingMode : ILocomotionMode
     {
         var mode = (FallingMode)other;
         inner.CopyFrom(mode.inner);
-        (State, footing, goesLimp, getsUp, blow, drift, glide) = (mode.State, mode.footing, mode.goesLimp, mode.getsUp, mode.blow, mode.drift, mode.glide);
+        (State, footing, goesLimp, getsUp, hasMoved, blow, drift, glide) = (mode.State, mode.footing, mode.goesLimp, mode.getsUp, mode.hasMoved, mode.blow, mode.drift, mode.glide);
         if (mode.fall != null)
         {
             Fall.CopyFrom(mode.fall);

@@ -50,12 +50,14 @@ internal sealed class FreeFall
     private readonly WalkingMode legs;
     private readonly FallingFloor floor = new();
     private readonly PoseFade fade;
+    private readonly LocalPose last;
     private readonly Flail flail;
     private CriticallyDampedSpring sink;
     private Vector3 velocity;
     private float turn;
     private float sinkRate;
     private float braking;
+    private bool pushed;
 
     public FreeFall(LeggedBody body, FallProfile profile, WalkingMode legs)
     {
@@ -63,6 +65,7 @@ internal sealed class FreeFall
         this.profile = profile;
         this.legs = legs;
         fade = new PoseFade(body.Skeleton);
+        last = new LocalPose(body.Skeleton);
         flail = new Flail(body);
     }
 
@@ -79,11 +82,18 @@ internal sealed class FreeFall
         turn = yawRate;
         sink = new CriticallyDampedSpring { Value = legs.Sink, Rate = 0 };
         fade.Keep(shown);
+        last.Take(shown);
         flail.Begin();
+        pushed = false;
     }
 
     /// <summary>Changes its velocity, world m/s.</summary>
-    public void Push(Vector3 change) => velocity += change;
+    public void Push(Vector3 change)
+    {
+        velocity += change;
+        pushed = true;
+    }
+
 
     /// <summary>Falls on.</summary>
     /// <param name="place">Where the root is.</param>
@@ -133,7 +143,15 @@ internal sealed class FreeFall
         legs.Sink = (float)sink.Value;
         legs.Bow = 0f;
         legs.Arrive(place, ahead.Z, ahead.Z, turn, settings, floor, flail.On(layer, tau), local);
+        if (pushed)
+        {
+            // Legs that fall at another speed take another pose, and are not there at once.
+            fade.Keep(last.Pose);
+            pushed = false;
+        }
+
         fade.Apply(dt, FadeTime * tau, local);
+        last.Take(local);
         if (down)
         {
             // From here on the legs brake: the body goes on as it came.
@@ -169,8 +187,9 @@ internal sealed class FreeFall
     public void CopyFrom(FreeFall other)
     {
         fade.CopyFrom(other.fade);
+        last.Take(other.last.Pose);
         flail.CopyFrom(other.flail);
-        (sink, velocity, turn, sinkRate, braking) = (other.sink, other.velocity, other.turn, other.sinkRate, other.braking);
+        (sink, velocity, turn, sinkRate, braking, pushed) = (other.sink, other.velocity, other.turn, other.sinkRate, other.braking, other.pushed);
     }
 
     /// <summary>Whether the ground comes, so that legs are to be stretched to it instead of drawn up.</summary>

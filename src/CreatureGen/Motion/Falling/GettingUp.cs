@@ -3,6 +3,7 @@ using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Modes;
 using CreatureGen.Motion.Toolkit;
+using CreatureGen.Motion.Toolkit.Ik;
 using CreatureGen.Motion.Walking;
 using CreatureGen.Rigging;
 
@@ -44,7 +45,7 @@ internal sealed class GettingUp
     private float rise;
     private float elapsed;
     private float gap;
-    private float over;
+    private Clearing over;
 
     public GettingUp(FallProfile profile, ILocomotionMode inner, WalkingMode? legs)
     {
@@ -88,7 +89,7 @@ internal sealed class GettingUp
         gather = GatherTime * tau * profile.Manner.Tempo;
         rise = rises ? rising!.Seconds(tau) : 0f;
         elapsed = 0f;
-        over = profile.Swims ? 0f : GroundClearance.Clear(profile, shown, place, 0f, settings.Up, ground);
+        over = profile.Swims ? default : GroundClearance.Clear(profile, shown, place, 0f, settings.Up, ground);
         if (drawn.Length > 0)
         {
             Foresee(place, settings, ground);
@@ -126,11 +127,13 @@ internal sealed class GettingUp
         if (rise > 0f)
         {
             rising!.Show(Math.Min(u, 1f), place, dt, settings, layer, local);
+            float kept = 1f - Scalar.Smooth(u / Lowered);
+            profile.Raise(local, over.OfLimbs * kept);
             shown.Take(local);
             shown.Finish();
             GroundClearance.BendUp(profile, shown, place, settings.Up, ground);
             shown.Local.Rotations.CopyTo(local.Rotations);
-            profile.Raise(local, over * (1f - Scalar.Smooth(u / Lowered)));
+            profile.Raise(local, over.OfEnds * kept);
         }
 
         return u >= 1f;
@@ -177,7 +180,7 @@ internal sealed class GettingUp
         for (int j = 0; j < profile.Skeleton.Count; j++)
         {
             float w = profile.Windows[j].At(u);
-            shown.Local.Rotations[j] = Rotation.Slerp(from.Local.Rotations[j], to.Pose.Rotations[j], w);
+            shown.Local.Rotations[j] = SwingTwistBlend.Between(from.Local.Rotations[j], to.Pose.Rotations[j], w, profile.Skeleton.Joints[j]);
             shown.Local.Positions[j] = Vec.Lerp(from.Local.Positions[j], to.Pose.Positions[j], w);
         }
 

@@ -6,6 +6,11 @@ using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Falling;
 
+/// <summary>How far a body was lifted out of the ground, metres of the model.</summary>
+/// <param name="OfLimbs">For its trunk and limbs.</param>
+/// <param name="OfEnds">After that, for what of head and tail could not be bent up out of it.</param>
+internal readonly record struct Clearing(float OfLimbs, float OfEnds);
+
 /// <summary>Lays a pose on the ground: the trunk lies on it, head and tail are bent up out of it, and what is in it still lifts the whole body.</summary>
 internal static class GroundClearance
 {
@@ -39,13 +44,13 @@ internal static class GroundClearance
     /// <param name="depth">How far below the ground its lowest point may be, metres of the model, not positive.</param>
     /// <param name="up">Unit, world space.</param>
     /// <param name="ground">What it lies on.</param>
-    /// <returns>How far it was lifted, metres of the model.</returns>
-    public static float Clear(FallProfile profile, PoseBuffer pose, in RootPlace place, float depth, Vector3 up, IGround ground)
+    /// <returns>How far it was lifted.</returns>
+    public static Clearing Clear(FallProfile profile, PoseBuffer pose, in RootPlace place, float depth, Vector3 up, IGround ground)
     {
         float lifted = Lift(profile, BodyPart.Trunk | BodyPart.Limb, pose, place, depth, up, ground);
         Bend(profile, profile.Neck, BodyPart.Head, pose, place, depth, up, ground);
         Bend(profile, profile.Tail, BodyPart.Tail, pose, place, depth, up, ground);
-        return lifted + Lift(profile, BodyPart.All, pose, place, depth, up, ground);
+        return new Clearing(lifted, Lift(profile, BodyPart.All, pose, place, depth, up, ground));
     }
 
     /// <summary>Bends head and tail up out of the ground; the body stays.</summary>

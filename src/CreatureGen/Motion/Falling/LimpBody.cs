@@ -20,6 +20,11 @@ internal sealed class LimpBody
     private const float FallTime = 3f;
     private const float CalmSpeed = 0.12f;
 
+    /// <summary>Where a cast for the ground begins above the body, and how high above the ground that the root is on it, and that it is not at all, sizes.</summary>
+    private const float CastAbove = 0.5f;
+    private const float NearAbove = 1f;
+    private const float FarAbove = 2.5f;
+
     private readonly FallProfile profile;
     private readonly RagdollState ragdoll;
     private readonly PoseBuffer before;
@@ -76,12 +81,12 @@ internal sealed class LimpBody
         lift = 0f;
     }
 
-    /// <summary>Leaves the body where it was shown last: an act moves the whole of one that no feet carry, which is no velocity of it.</summary>
+    /// <summary>Leaves the pose as it was shown last: what an act did with trunk and limbs, which rolls over whole bodies and moves those that no feet carry, ends with it and is no velocity.</summary>
     /// <param name="shown">The pose of this moment, in the parents' space.</param>
-    public void HoldBody(in Pose shown)
+    public void Hold(in Pose shown)
     {
-        shown.Positions[profile.Body] = before.Local.Positions[profile.Body];
-        shown.Rotations[profile.Body] = before.Local.Rotations[profile.Body];
+        before.Local.Rotations.CopyTo(shown.Rotations);
+        before.Local.Positions.CopyTo(shown.Positions);
     }
 
     /// <summary>Pushes a part.</summary>
@@ -183,11 +188,13 @@ internal sealed class LimpBody
         Vector3 rest = Rotation.Rotate(rotation, profile.Skeleton.ModelPositions[profile.Ragdoll.FirstJoint]) * scale;
         Vector3 under = joint - rest;
         float size = profile.Ragdoll.Size * scale;
-        if (ground.Cast(joint + (up * (0.5f * size)), -up, 2.5f * size, out GroundHit hit))
+        float above = CastAbove * size;
+        if (ground.Cast(joint + (up * above), -up, above + (FarAbove * size), out GroundHit hit))
         {
-            // On the ground; of what swims no lower.
+            // On the ground, to which it comes as the body does from high above; of what swims no lower.
             float lift = Vec.Dot(hit.Point - under, up);
-            under += up * (profile.Swims ? Math.Max(lift, 0f) : lift);
+            float near = Scalar.Smooth(Scalar.Clamp((FarAbove - (Vec.Dot(joint - hit.Point, up) / size)) / (FarAbove - NearAbove), 0f, 1f));
+            under += up * (profile.Swims ? Math.Max(lift, 0f) : lift * near);
         }
 
         return new RootPlace(under, rotation, scale);

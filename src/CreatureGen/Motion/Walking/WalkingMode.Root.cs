@@ -68,7 +68,7 @@ internal sealed partial class WalkingMode
         }
 
         velocity = ahead;
-        acceleration = velocity.Acceleration;
+        FeelAcceleration(dt);
         float rise = height.Part(away, body.LegLength, velocity.Speed, dt);
         next = new RootPlace(next.Position + (settings.Up * (rise * scale)), next.Rotation, scale);
         GoOn(dt, normal, settings);
@@ -164,7 +164,7 @@ internal sealed partial class WalkingMode
             Step(placement, h, dt - left, left, settings, ground);
         }
 
-        acceleration = velocity.Acceleration;
+        FeelAcceleration(dt);
         return placement;
     }
 
@@ -207,6 +207,14 @@ internal sealed partial class WalkingMode
         float speed = velocity.Speed;
         velocity = RootVelocity.At(speed + ((way.Z - speed) * fraction), velocity.Sideways + ((way.X - velocity.Sideways) * fraction), velocity.Turn + ((yaw - velocity.Turn) * fraction));
         acceleration += (((velocity.Speed - speed) / dt) - acceleration) * fraction;
+    }
+
+    /// <summary>The acceleration that the body shows, which changes no quicker than where it does what it intends: after a push it is not there at once.</summary>
+    private void FeelAcceleration(float dt)
+    {
+        SpeedBounds along = velocity.Bounds.Along;
+        float most = (along.Rise + along.Fall) / along.Lag * dt;
+        acceleration = Scalar.Clamp(velocity.Acceleration, acceleration - most, acceleration + most);
     }
 
     /// <summary>Feels the ground under a place.</summary>

@@ -44,6 +44,7 @@ internal sealed class BodyPlacer
     private float slope;
     private TurnBend turnBend;
     private ChestLook look;
+    private TurnLook turnLook;
     private GroundSlope way;
     private ExponentialDecay groundDecay;
     private ExponentialDecay slopeDecay;
@@ -69,6 +70,9 @@ internal sealed class BodyPlacer
 
     /// <summary>Bend of the trunk into a turn, radians.</summary>
     public float TurnBend => turnBend.Angle;
+
+    /// <summary>How far the head looks into the turn that is to come, radians.</summary>
+    public float TurnLook => turnLook.Angle;
 
     /// <summary>The angle to the inside at which its turn would be in balance, radians.</summary>
     public float Balance { get; private set; }
@@ -112,6 +116,7 @@ internal sealed class BodyPlacer
         slope = other.slope;
         turnBend = other.turnBend;
         look = other.look;
+        turnLook = other.turnLook;
         way = other.way;
         groundDecay = other.groundDecay;
         slopeDecay = other.slopeDecay;
@@ -127,6 +132,7 @@ internal sealed class BodyPlacer
         slope = 0f;
         turnBend = default;
         look = default;
+        turnLook = default;
     }
 
     /// <summary>Tells that the root was moved up under the body, metres.</summary>
@@ -196,6 +202,7 @@ internal sealed class BodyPlacer
         Balance = FastTrigonometry.Of(context.RootVelocity.Speed * context.RootVelocity.Turn, settings.Gravity);
         turnBend.Follow(body, context.RootVelocity, settings.Gravity, Balance, context.Step);
         look.Follow(body, context.Facing, context.Step);
+        turnLook.Follow(context.RootVelocity, context.Step);
         float bend = TurnBend;
         float spine = settings.Walking.SpineMotion;
         float pelvisYaw = -traits.PelvisYaw * Scissor * spine;

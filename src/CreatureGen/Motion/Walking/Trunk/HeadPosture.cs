@@ -9,13 +9,6 @@ namespace CreatureGen.Motion.Walking.Trunk;
 /// <summary>Neck and head: they take back most of the chest's turns, so that the gaze stays level, nod with the chest's rise, look into the turn, and bob in walking birds.</summary>
 internal static class HeadPosture
 {
-    /// <summary>The head is so many seconds ahead of the body's turn, and looks as far into it as the body turns in so many.</summary>
-    private const float TurnLead = 0.2f;
-    private const float TurnLook = 0.28f;
-
-    /// <summary>Most that it looks into a turn, radians.</summary>
-    private const float MaxTurnLook = 0.45f;
-
     /// <summary>Part of what a neck is stretched ahead that the head takes back; and what of it a head without a neck shows.</summary>
     private const float HeadLevel = 0.8f;
     private const float LoneHead = 0.5f;
@@ -37,7 +30,7 @@ internal static class HeadPosture
         Quaternion chest = placer.Trunk.Turns[placer.Trunk.Turns.Length - 1];
         Rotation.ToBasis(chest, out Vector3 x, out Vector3 y, out Vector3 z);
         float steady = body.Traits.HeadSteadiness * context.Settings.Walking.HeadSteadiness;
-        float yaw = (-FastTrigonometry.Of(z.X, z.Z) * steady) + Scalar.Clamp(TurnLook * context.RootVelocity.TurnAfter(TurnLead), -MaxTurnLook, MaxTurnLook);
+        float yaw = (-FastTrigonometry.Of(z.X, z.Z) * steady) + placer.TurnLook;
         float pitch = (FastTrigonometry.OfSine(z.Y) - (body.Posture.Raised * context.Upright)) * steady;
         float roll = -FastTrigonometry.Of(x.Y, y.Y) * steady;
         float fraction = 1f / count;

@@ -1,0 +1,35 @@
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Toolkit.Ik;
+
+/// <summary>
+/// The way of a joint from one rotation to another by swing and twist: it is within the joint's limit where both its ends are. The shortest rotation between them need not be, and brought back within the limit it
+/// jumps from one side of that to the other.
+/// </summary>
+internal static class SwingTwistBlend
+{
+    /// <summary>A rotation on the way.</summary>
+    /// <param name="from">Where the way begins, in the parent's space.</param>
+    /// <param name="to">Where it ends.</param>
+    /// <param name="w">Part of the way, 0..1.</param>
+    /// <param name="joint">Gives rest rotation and the axis of the bone.</param>
+    public static Quaternion Between(Quaternion from, Quaternion to, float w, Joint joint)
+    {
+        if (from == to || w <= 0f || w >= 1f)
+        {
+            return w >= 1f ? to : from;
+        }
+
+        Quaternion axes = BoneAxes.AreOwn(joint) ? joint.LocalRotation : Rotation.Multiply(joint.LocalRotation, BoneAxes.Of(joint));
+        Quaternion inverse = Rotation.Inverse(axes);
+        Quaternion own = BoneAxes.AreOwn(joint) ? Quaternion.Identity : BoneAxes.Of(joint);
+        SwingTwistLimit.Split(Rotation.Multiply(inverse, Rotation.Multiply(from, own)), out double x, out double z, out double twist);
+        SwingTwistLimit.Split(Rotation.Multiply(inverse, Rotation.Multiply(to, own)), out double toX, out double toZ, out double toTwist);
+        Quaternion swing = SwingTwistLimit.Swing(Scalar.Lerp(x, toX, w), Scalar.Lerp(z, toZ, w));
+        FastTrigonometry.SinCos((float)(0.5 * Scalar.Lerp(twist, toTwist, w)), out float sine, out float cosine);
+        Quaternion turn = Rotation.Multiply(swing, new Quaternion(0f, sine, 0f, cosine));
+        return Rotation.Normalize(Rotation.Multiply(axes, Rotation.Multiply(turn, Rotation.Inverse(own))));
+    }
+}
