@@ -69,7 +69,7 @@ internal sealed class CourseReader
     }
 
     /// <summary>Reads a script.</summary>
-    /// <param name="text">Commands with semicolons between; or <c>random</c>, <c>mixed</c>, <c>runner</c> or <c>spin</c>, the scripts of <c>metrics --course</c>, with seconds.</param>
+    /// <param name="text">Commands with semicolons between; or <c>random</c>, <c>mixed</c>, <c>runner</c>, <c>keys</c> or <c>spin</c>, the scripts of <c>metrics --course</c>, with seconds.</param>
     /// <param name="profile">Whose words they are.</param>
     /// <exception cref="FormatException">It is none; the message says which command, and what was expected.</exception>
     public static CourseScript Read(string text, MotionProfile profile)
@@ -106,6 +106,7 @@ internal sealed class CourseReader
             "random" => seconds => CourseScripts.Random(profile, seconds, 2.5f),
             "mixed" => seconds => CourseScripts.Mixed(profile, seconds),
             "runner" => seconds => CourseScripts.Runner(profile, seconds),
+            "keys" => seconds => CourseScripts.Keys(profile, seconds),
             "spin" => _ => CourseScripts.Spin(profile),
             _ => null,
         };

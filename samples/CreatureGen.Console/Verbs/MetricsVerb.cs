@@ -11,7 +11,7 @@ namespace CreatureGen.Console.Verbs;
 /// <summary>Measures how the creatures of many seeds move.</summary>
 internal sealed class MetricsVerb : IVerb
 {
-    private static readonly OptionSyntax course = new("--course", null, "measure what a player can do instead: random speeds and turns on flat, hilly, stepped and moving ground, at even and uneven rates");
+    private static readonly OptionSyntax course = new("--course", null, "measure what a player can do instead: random speeds, turns and keys on flat, hilly, stepped and moving ground, at even and uneven rates");
 
     private static readonly OptionSyntax ground = new("--ground", "GROUND", "with --course: this ground alone: flat, rough, stairs, slope, gap, platform, lift, water, stones or pipe");
 

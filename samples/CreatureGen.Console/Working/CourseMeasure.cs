@@ -13,6 +13,7 @@ internal static class CourseMeasure
 
     public static readonly Measure<MeasuredCourse> LimitExcess = Of("limitExcessMaxDegrees", run => run.Report.LimitExcess * DegreesPerRadian);
     public static readonly Measure<MeasuredCourse> JointSpeed = Of("jointSpeedMaxRadiansPerSecond", run => run.Report.JointSpeed);
+    public static readonly Measure<MeasuredCourse> HeadSpeed = Of("headSpeedMaxRadiansPerSecond", run => run.Report.HeadSpeed);
     public static readonly Measure<MeasuredCourse> Slip = Of("stanceSlipMaxLegLengths", run => run.Report.StanceSlip);
     public static readonly Measure<MeasuredCourse> Penetration = Of("penetrationMaxLegLengths", run => run.Report.Penetration);
     public static readonly Measure<MeasuredCourse> Clearance = new("clearanceMinLegLengths", WorseFigure.Smaller, run => run.Report.Clearance);
@@ -26,6 +27,7 @@ internal static class CourseMeasure
     [
         LimitExcess,
         JointSpeed,
+        HeadSpeed,
         Of("jointAccelerationMaxRadiansPerSecondSquared", run => run.Report.JointAcceleration),
         Of("fastJoints", run => run.Report.FastJoints),
         LinearAcceleration,
@@ -48,6 +50,7 @@ internal static class CourseMeasure
     [
         new("beyond", LimitExcess, Units.Tenths),
         new("rad/s", JointSpeed, Units.Whole),
+        new("head", HeadSpeed, Units.Whole),
         new("g", LinearAcceleration, Units.Tenths),
         new("slip", Slip, Units.Hundredths),
         new("sinks", Penetration, Units.Hundredths),

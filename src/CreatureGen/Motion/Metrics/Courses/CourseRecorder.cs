@@ -8,6 +8,7 @@ internal sealed class CourseRecorder
 {
     private readonly CreatureAnimator animator;
     private readonly JointWatch joints;
+    private readonly HeadWatch head;
     private readonly RootWatch root;
     private readonly FootingWatch? footing;
     private int frames;
@@ -17,6 +18,7 @@ internal sealed class CourseRecorder
     {
         this.animator = animator;
         joints = new JointWatch(animator.Profile);
+        head = new HeadWatch(animator.Profile.Subject.Skeleton);
         root = new RootWatch(animator.Root.Position);
         footing = animator.Profile.Legs == null ? null : new FootingWatch(animator, animator.Profile.Legs, surface);
     }
@@ -26,6 +28,7 @@ internal sealed class CourseRecorder
     public void Record(float dt)
     {
         joints.Record(animator.LocalPose.Rotations, dt);
+        head.Record(animator.ModelPose, dt);
         root.Record(animator.Root.Position, dt);
         if (animator.StandsOnFeet)
         {
@@ -43,7 +46,7 @@ internal sealed class CourseRecorder
     /// <summary>What was measured so far.</summary>
     public CourseReport Report()
     {
-        var report = new CourseReport(frames, (float)seconds, (float)joints.Excess, joints.ExcessJoint, joints.Speed, joints.SpeedJoint, joints.Acceleration, joints.FastJoints, root.Acceleration);
+        var report = new CourseReport(frames, (float)seconds, (float)joints.Excess, joints.ExcessJoint, joints.Speed, joints.SpeedJoint, joints.Acceleration, joints.FastJoints, root.Acceleration) { HeadSpeed = head.Speed };
         return footing == null ? report : footing.AddTo(report);
     }
 

@@ -12,6 +12,9 @@ namespace CreatureGen.Motion.Metrics;
 /// <param name="LinearAcceleration">Greatest change of the root's velocity as seen 60 times a second, metres per second squared.</param>
 public sealed record CourseReport(int Frames, float Seconds, float LimitExcess, int LimitExcessJoint, float JointSpeed, int JointSpeedJoint, float JointAcceleration, int FastJoints, float LinearAcceleration)
 {
+    /// <summary>Greatest rate at which the head turned as seen from the root, radians per second: joints of a neck share its turns, so that none of them need be fast. Acts and gaze count.</summary>
+    public float? HeadSpeed { get; init; }
+
     /// <summary>Farthest that a foot slipped in a whole stance: the sum, from update to update, of the way over the ground of that touching vertex which moved least. A foot that rolls or turns about a point of its sole does not slip.</summary>
     public float? StanceSlip { get; init; }
 

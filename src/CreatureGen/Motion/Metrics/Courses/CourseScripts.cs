@@ -25,6 +25,12 @@ public static class CourseScripts
     private const float SpinRate = 1.5f;
     private const double AirChance = 0.75;
 
+    /// <summary>Radians per second of a key that turns.</summary>
+    private const float KeyTurn = 2.5f;
+
+    // Of the top speed.
+    private static readonly float[] keySpeeds = { 0f, 0.5f, 0.5f, 1f, 1f, -0.25f };
+
     /// <summary>Random speeds from standing to the creature's top speed and random turns to both sides, then rest. Fliers do so on the ground and in the air, swimmers and fliers climb and sink.</summary>
     /// <param name="profile">The creature's.</param>
     /// <param name="seconds">Of the random part, 1..600.</param>
@@ -71,6 +77,17 @@ public static class CourseScripts
     /// <exception cref="ArgumentNullException">There is no profile.</exception>
     public static CourseScript Runner(MotionProfile profile, float seconds) =>
         Drawn(profile, "runner", seconds, (random, _) => new CourseCommand(1f, Ahead(profile, random, MotionMedium.Ground, 0.5f)));
+
+    /// <summary>Keys that are held and let go, as who plays without a stick gives them: standing, half the top speed, all of it or backing up, each with a hard turn to the left, to the right or none, from one update to the next; then rest. Fliers do so on their feet.</summary>
+    /// <param name="profile">The creature's.</param>
+    /// <param name="seconds">Of the random part, 1..600.</param>
+    /// <exception cref="ArgumentException">The time is not within its range.</exception>
+    /// <exception cref="ArgumentNullException">There is no profile.</exception>
+    public static CourseScript Keys(MotionProfile profile, float seconds) => Drawn(profile, "keys", seconds, (random, _) =>
+    {
+        float speed = Top(profile, MotionMedium.Ground) * keySpeeds[random.Integer(0, keySpeeds.Length)];
+        return new CourseCommand(1f, new MotionInput(speed, KeyTurn * (random.Integer(0, 3) - 1)));
+    });
 
     /// <summary>Turns on the spot to one side and to the other; fliers in the air afterwards too.</summary>
     /// <param name="profile">The creature's.</param>
@@ -119,12 +136,14 @@ public static class CourseScripts
 
     private static MotionInput Ahead(MotionProfile profile, RandomStream random, MotionMedium medium, float min)
     {
-        float top = profile.Gaits != null && medium == MotionMedium.Ground ? profile.Gaits.TopSpeed : CruisesAtMax * Cruise(profile);
-        float speed = top * (float)random.Uniform(min, 1);
+        float speed = Top(profile, medium) * (float)random.Uniform(min, 1);
         float climb = ClimbFraction * speed * (float)random.Uniform(-1, 1);
         bool climbs = profile.Swim != null || medium == MotionMedium.Air;
         return new MotionInput(speed, ClimbRate: climbs ? climb : 0f, Medium: medium);
     }
+
+    private static float Top(MotionProfile profile, MotionMedium medium) =>
+        profile.Gaits != null && medium == MotionMedium.Ground ? profile.Gaits.TopSpeed : CruisesAtMax * Cruise(profile);
 
     private static float Cruise(MotionProfile profile) => profile.Flight?.CruiseSpeed ?? profile.Swim?.CruiseSpeed ?? profile.Slither?.CruiseSpeed ?? 0f;
 }

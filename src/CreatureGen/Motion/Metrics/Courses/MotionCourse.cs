@@ -19,7 +19,7 @@ public sealed record MotionCourse(CourseScript Script, CourseGround Ground, Cour
     private static readonly float[] coarseRates = { 30f, 60f, 144f };
 
     /// <summary>
-    /// The courses that every creature is measured on: on the flat random commands at 480 Hz, the same at 30, 60 and 144 Hz, longer at an uneven rate, turns on the spot, random speeds straight ahead;
+    /// The courses that every creature is measured on: on the flat random commands at 480 Hz, the same at 30, 60 and 144 Hz, longer at an uneven rate, turns on the spot, random speeds straight ahead, keys that are held and let go;
     /// those that go on legs also over hills, up and down stairs at a run, and on a lift.
     /// </summary>
     /// <exception cref="ArgumentNullException">There is no profile.</exception>
@@ -31,6 +31,7 @@ public sealed record MotionCourse(CourseScript Script, CourseGround Ground, Cour
         courses.Add(new MotionCourse(CourseScripts.Random(profile, UnevenSeconds, 2f), CourseGround.Flat, CourseRate.Uneven));
         courses.Add(new MotionCourse(CourseScripts.Spin(profile), CourseGround.Flat, CourseRate.Of(FineRate)));
         courses.Add(new MotionCourse(CourseScripts.Random(profile, RandomSeconds, 0f), CourseGround.Flat, CourseRate.Of(FineRate)));
+        courses.Add(new MotionCourse(CourseScripts.Keys(profile, RandomSeconds), CourseGround.Flat, CourseRate.Of(FineRate)));
         if (profile.Legs != null)
         {
             courses.Add(new MotionCourse(CourseScripts.Mixed(profile, RandomSeconds), CourseGround.Rough, CourseRate.Of(60f)));

@@ -36,6 +36,9 @@ internal sealed class GaitClock
     /// <summary>How quickly the tempo of who comes to a stand falls at most, cycles per second in a second, parts of g/leg: its last steps are short instead of slow.</summary>
     private const float TempoFall = 0.05f;
 
+    /// <summary>The same of who goes on after all before it stands: the body's bounce goes by the tempo, and jumps where that does.</summary>
+    private const float TempoFallOfGoing = 0.4f;
+
     /// <summary>Times that a rate of turning is brought down to what steps can follow, by half at most.</summary>
     private const int TurnTrials = 4;
 
@@ -60,6 +63,7 @@ internal sealed class GaitClock
     private float measuredFrequency;
     private SlopeStance longest;
     private float slope;
+    private bool isKept;
 
     public GaitClock(LeggedBody body, Gait gait)
     {
@@ -125,6 +129,7 @@ internal sealed class GaitClock
         gainDecay = other.gainDecay;
         gainAhead = other.gainAhead;
         slope = other.slope;
+        isKept = other.isKept;
         measured = other.measured;
         measuredFroude = other.measuredFroude;
         measuredGravity = other.measuredGravity;
@@ -141,6 +146,7 @@ internal sealed class GaitClock
         Shape = GaitShape.Of(gait);
         Duty = gait.Duty.At(froude);
         frequencyRest = 0f;
+        isKept = false;
         for (int i = 0; i < lags.Length; i++)
         {
             lags[i] = WantedLag(i);
@@ -182,8 +188,11 @@ internal sealed class GaitClock
         float straight = Math.Max(own + frequencyRest, SlowestFraction * own) / stride;
         float yaw = Math.Abs(velocity.Turn) * (1f - (0.5f * pace));
         float spot = Math.Min(yaw / YawPerCycle, Math.Max(quickest, yaw / WidestYawPerCycle));
-        float kept = velocity.IsToStand ? Frequency - (TempoFall * gravity / body.LegLength * dt) : 0f;
-        Frequency = Math.Max(Math.Max(Math.Max(straight, spot), kept), Math.Min(FrequencyInTurn(velocity.Speed, velocity.Sideways, velocity.Turn, straight, Duty), quickest));
+        float needed = Math.Max(Math.Max(straight, spot), Math.Min(FrequencyInTurn(velocity.Speed, velocity.Sideways, velocity.Turn, straight, Duty), quickest));
+        float fall = velocity.IsToStand ? TempoFall : TempoFallOfGoing;
+        float kept = velocity.IsToStand || isKept ? Frequency - (fall * gravity / body.LegLength * dt) : 0f;
+        isKept = kept > needed;
+        Frequency = Math.Max(needed, kept);
         Length = Math.Min(straight / Frequency, 1f);
         float cycle = Frequency * dt;
         float duty = DutyInTurn(Gait, froude, velocity.Turn, unit);

@@ -50,6 +50,16 @@ public sealed class CourseScriptTests
     }
 
     [Fact]
+    public void Keys_are_pressed_to_the_full_or_not_at_all()
+    {
+        var profile = new MotionProfile(SpeciesSubject.Of("feline", RequestedKind.Walking));
+        float top = profile.Gaits!.TopSpeed;
+        CourseScript keys = CourseScripts.Keys(profile, 60f);
+        Assert.Equal([-0.25f * top, 0f, 0.5f * top, top], keys.Commands.Select(command => command.Input.Speed).Distinct().Order());
+        Assert.Equal([-2.5f, 0f, 2.5f], keys.Commands.Select(command => command.Input.YawRate).Distinct().Order());
+    }
+
+    [Fact]
     public void Commands_begin_with_an_update_at_every_rate()
     {
         var profile = new MotionProfile(SpeciesSubject.Of("feline", RequestedKind.Walking));
