@@ -11,6 +11,9 @@ namespace CreatureGen.Motion.Walking;
 /// <content>How it travels; and travel and gait alone, as seen from afar: feet are where nobody sees them, and one step of time is as long as the update.</content>
 internal sealed partial class WalkingMode
 {
+    /// <summary>How much quicker than by itself it steps where a game turns or moves it farther than its feet reach.</summary>
+    private const float HasteOfPushed = 2f;
+
     /// <summary>Where the ray begins above the root and ends below it, leg lengths: as far as ground carries the body.</summary>
     private const float Above = 0.8f;
     private const float Below = 0.9f;
@@ -180,7 +183,7 @@ internal sealed partial class WalkingMode
             while (left > 0f)
             {
                 float h = ticker.Next(ref left);
-                Step(goal, h, dt - left, left, settings, ground);
+                Step(goal, h, dt - left, left, settings, ground, HasteOfPushed);
             }
         }
     }

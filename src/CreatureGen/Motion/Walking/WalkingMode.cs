@@ -293,7 +293,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
         }
     }
 
-    private void Step(in RootPlace placement, float h, float since, float left, in MotionSettings settings, IGround ground)
+    private void Step(in RootPlace placement, float h, float since, float left, in MotionSettings settings, IGround ground, float haste = 1f)
     {
         float unit = settings.Gravity * body.LegLength;
         float speed = (float)Math.Sqrt((velocity.Speed * velocity.Speed) + (velocity.Sideways * velocity.Sideways));
@@ -308,7 +308,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
         float wanted = moving ? Math.Min((speed / walking) + (0.35f * Math.Abs(velocity.Turn)), 1f) : 0f;
         activity += (wanted - activity) * activityDecay.Fraction(ActivityRate * h);
         float frequency = clock.Frequency;
-        clock.Slide(h, velocity, settings.Gravity, Math.Min(speed / walking, 1f), placer.Climb, settings.Walking.Stride);
+        clock.Slide(h, velocity, settings.Gravity, Math.Min(speed / walking, 1f), placer.Climb, settings.Walking.Stride, haste);
         if (going)
         {
             double phase = clock.Phase + (0.5f * (frequency + clock.Frequency) * h);

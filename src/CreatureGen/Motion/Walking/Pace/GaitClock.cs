@@ -168,7 +168,8 @@ internal sealed class GaitClock
     /// <param name="pace">Speed, in slow walks, 0..1: what of a turn is done on the spot.</param>
     /// <param name="rise">Of the ground along the way: long strides are shorter uphill and downhill.</param>
     /// <param name="stride">Length of strides, a factor.</param>
-    public void Slide(float dt, in RootVelocity velocity, float gravity, float pace, float rise, float stride = 1f)
+    /// <param name="haste">How much quicker than it goes by itself it steps at most where it moves farther in a stance than its feet reach, a factor.</param>
+    public void Slide(float dt, in RootVelocity velocity, float gravity, float pace, float rise, float stride = 1f, float haste = 1f)
     {
         float unit = gravity * body.LegLength;
 
@@ -188,7 +189,7 @@ internal sealed class GaitClock
         float straight = Math.Max(own + frequencyRest, SlowestFraction * own) / stride;
         float yaw = Math.Abs(velocity.Turn) * (1f - (0.5f * pace));
         float spot = Math.Min(yaw / YawPerCycle, Math.Max(quickest, yaw / WidestYawPerCycle));
-        float needed = Math.Max(Math.Max(straight, spot), Math.Min(FrequencyInTurn(velocity.Speed, velocity.Sideways, velocity.Turn, straight, Duty), quickest));
+        float needed = Math.Max(Math.Max(straight, spot), Math.Min(FrequencyInTurn(velocity.Speed, velocity.Sideways, velocity.Turn, straight, Duty), haste * quickest));
         float fall = velocity.IsToStand ? TempoFall : TempoFallOfGoing;
         float kept = velocity.IsToStand || isKept ? Frequency - (fall * gravity / body.LegLength * dt) : 0f;
         isKept = kept > needed;

@@ -1,11 +1,14 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
+using CreatureGen.Creatures;
+using CreatureGen.Maths;
 using CreatureGen.Motion;
 using CreatureGen.Motion.Metrics;
 using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Motion.Walking.Footsteps;
 using CreatureGen.Motion.Walking.Pace;
+using CreatureGen.Rigging;
 using CreatureGen.Sampling;
 using Xunit;
 
@@ -68,6 +71,37 @@ public sealed class PushedBodyTests
         RootPlace goal = new(new Vector3(0f, 0f, 100f), Quaternion.Identity);
         Assert.False(pushed.Follow(RootPlace.Identity, goal, 1f / Rate, bounds, Gravity, Leg));
         Assert.Equal(goal, pushed.At(goal));
+    }
+
+    /// <summary>A lizard that is turned quicker than it would turn took no quicker steps than by itself: its feet were dragged to where no leg reaches, and its hips flipped over at 1,237 rad/s.</summary>
+    [Fact]
+    public void One_that_is_turned_quicker_than_it_would_turn_takes_quicker_steps()
+    {
+        const float Hertz = 480f;
+        Creature creature = CreatureGenerator.Generate(10743015, CreatureOptions.Default with { Kind = RequestedKind.Walking });
+        var animator = new CreatureAnimator(creature);
+        animator.Teleport(RootPlace.Identity, FlatGround.Level);
+        Vector3 at = Vector3.Zero;
+        float facing = 0f;
+        double fastest = 0;
+        Quaternion[] before = animator.LocalPose.Rotations.ToArray();
+        for (int i = 0; i < 8 * Hertz; i++)
+        {
+            bool turns = i % (2 * (int)Hertz) > Hertz;
+            facing += turns ? (i < 4 * Hertz ? 2.5f : -2.5f) / Hertz : 0f;
+            Quaternion rotation = Quaternion.CreateFromAxisAngle(Vector3.UnitY, facing);
+            at += Vector3.Transform(new Vector3(0f, 0f, creature.DefaultSpeed / Hertz), rotation);
+            animator.Follow(1f / Hertz, new RootPlace(at, rotation), FlatGround.Level);
+            for (int j = 0; j < before.Length; j++)
+            {
+                bool leg = creature.Skeleton.Joints[j].Role is JointRole.Hip or JointRole.Knee or JointRole.Ankle;
+                fastest = leg ? Math.Max(fastest, Rotation.Angle(Rotation.Multiply(Rotation.Inverse(before[j]), animator.LocalPose.Rotations[j])) * Hertz) : fastest;
+            }
+
+            before = animator.LocalPose.Rotations.ToArray();
+        }
+
+        Assert.InRange(fastest, 1, 90);
     }
 
     [Fact]
