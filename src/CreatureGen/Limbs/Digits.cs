@@ -20,7 +20,7 @@ internal static class Digits
     private const float WidestSplay = 0.95f;
 
     /// <summary>Splay of the toes of a foot that trails in the water, relative to that of one that stands.</summary>
-    private const float Closed = 0.4f;
+    private const float Closed = 0.75f;
 
     /// <summary>Radius of a nail, in those of its toe.</summary>
     private const float NailSize = 0.85f;
@@ -51,7 +51,7 @@ internal static class Digits
         float length = (form.LongToed ? 1f : foot.Length) * form.ToeLength * (hand ? thickness * (float)leg.FootSize : size);
         float tipRadius = form.ToeRadius * (hand ? thickness : size * Math.Max((float)leg.Stoutness, 0.8f));
 
-        // A foot that trails is nearly closed.
+        // A foot that trails is rather closed.
         bool trails = form.Sprawling && !standing;
         float splay = (trails ? Closed : 1f) * Math.Min((form.LongToed ? Math.Min(1f, foot.Splay) : foot.Splay) * form.ToeSplay, WidestSplay);
         var address = new VertexAddress { Region = SurfaceRegion.Toe, Appendage = (short)index, Sign = 1, Along = 1f };

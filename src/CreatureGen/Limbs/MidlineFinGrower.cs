@@ -19,7 +19,7 @@ internal static class MidlineFinGrower
     /// <summary>Metres by which the fin stands off the skin before it leans back.</summary>
     private const float Lift = 0.012f;
 
-    private static readonly float[] sections = { 0.06f, 0.16f, 0.32f, 0.5f, 0.68f, 0.84f, 1f };
+    private static readonly float[] sections = { 0.06f, 0.16f, 0.32f, 0.5f, 0.68f, 0.84f, 0.94f, 1f };
 
     /// <summary>Grows the fin and says where its joints are.</summary>
     public static Appendage Grow(BodySurface body, FinBlueprint fin, int index)
@@ -129,9 +129,9 @@ internal static class MidlineFinGrower
         return k <= rows + 2 ? rows : Math.Max(0, (2 * rows) + 3 - k);
     }
 
-    /// <summary>Where the chord of a shark's fin begins and ends over the base.</summary>
+    /// <summary>Where the chord of a shark's fin begins and ends over the base: its front bends over to the rear at the tip, which would be cut off level.</summary>
     private static (float Front, float Rear) Shark(float s) => (
-        0.90f * (float)PortableMath.Pow(s, 0.85),
+        (0.90f * (float)PortableMath.Pow(s, 0.85)) + (0.12f * (float)PortableMath.Pow(s, 6)),
         1f + (0.08f * s * s) - (0.12f * (float)PortableMath.Sin(PortableMath.Pi * s)));
 
     /// <summary>The same of a fin that hangs over the rear of its base.</summary>

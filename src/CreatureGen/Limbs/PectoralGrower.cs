@@ -19,6 +19,13 @@ internal static class PectoralGrower
     /// <summary>Share of the length from which on the edges draw together, so that no tip is cut off straight.</summary>
     private const float RoundedFrom = 0.86f;
 
+    // Half thickness of a fin at its root in lengths, where along the chord it is thickest, how much thinner it is at its tip, and where along the fin it begins to run out: with a thick end the tip is sawn off, with thick edges the fin is a plank from behind.
+    private const float Thickness = 0.073f;
+    private const float Thickest = 0.3f;
+    private const float Thinning = 0.7f;
+    private const float RunsOutFrom = 0.6f;
+    private const float Thinnest = 0.12f;
+
     // Rise of the trailing edge for each unit that it lies behind the leading one: of a fin on the flank, turned as in gliding, and of one under the body, which keeps off it. Falling with the axis, a blade on the flank would be a rod from the side.
     private const float Pronation = 0.15f;
     private const float UnderBody = -0.35f;
@@ -97,7 +104,7 @@ internal static class PectoralGrower
         var blade = new BladeSweep(Lead, Trail)
         {
             Normal = s => -Across(s),
-            Thickness = (s, u) => (u < 0.3f ? 0.022f : 0.022f * (1f - (0.85f * Scalar.Smooth((u - 0.2f) / 0.6f)))) * (1f - (0.7f * s)) * (length / 0.3f),
+            Thickness = (s, u) => length * Thickness * (1f - (Thinning * s)) * RunningOut(s) * Foil(u),
             Sections = Sections(),
             Blend = 0.22f,
             Address = new VertexAddress { Region = SurfaceRegion.Fin, Appendage = (short)index, Sign = 1 },
@@ -118,6 +125,16 @@ internal static class PectoralGrower
             Pole = Back(0.5f),
             Contact = joints[2],
         };
+    }
+
+    /// <summary>Thickness over the chord, relative to the greatest: round in front, drawn out behind.</summary>
+    private static float Foil(float u) => u < Thickest ? (float)Math.Sqrt(u / Thickest) : 1f - (0.85f * Scalar.Smooth((u - Thickest) / 0.5f));
+
+    /// <summary>Thickness along the fin, relative to one that does not run out.</summary>
+    private static float RunningOut(float s)
+    {
+        float x = Math.Max(0f, (s - RunsOutFrom) / (1f - RunsOutFrom));
+        return Math.Max(Thinnest, (float)Math.Sqrt(1f - (x * x)));
     }
 
     private static float[] Sections()

@@ -13,6 +13,9 @@ public sealed class PectoralGrowerTests
     /// <summary>Least part of their skin that paired fins show from the side, in the mean of many swimmers; round rods would show more, blades seen on their edges show .23 to .25.</summary>
     private const double Shown = 0.27;
 
+    /// <summary>Most that the end of a paired fin is high, in lengths of the fin: sawn-off ones are .044.</summary>
+    private const double Thickest = 0.03;
+
     [Theory]
     [InlineData(0.6)]
     [InlineData(1)]
@@ -25,6 +28,31 @@ public sealed class PectoralGrowerTests
         Assert.True(shown.Length > 30);
         Assert.True(shown.Average() > Shown, FormattableString.Invariant($"{shown.Average():0.000}"));
     }
+
+    [Fact]
+    public void Paired_fins_are_thin_at_their_tips()
+    {
+        int tips = 0;
+        foreach (int seed in Enumerable.Range(10310001, 12))
+        {
+            Creature creature = CreatureGenerator.Generate((ulong)seed, CreatureOptions.Default with { Kind = RequestedKind.Swimming });
+            foreach (LimbChain fin in creature.Limbs.Where(limb => limb.Kind == LimbKind.Pectoral && limb.Side == Side.Left))
+            {
+                Vector3 root = creature.Skeleton.ModelPositions[fin.Joints[0]];
+                Vector3 axis = creature.Skeleton.ModelPositions[fin.Joints[^1]] - root;
+                float length = axis.Length();
+                float[] ends = [.. SkinOf(creature.Mesh, fin).Where(p => Vector3.Dot(p - root, axis) > 0.99f * length * length).Select(p => p.Y)];
+                Assert.True(ends.Max() - ends.Min() < Thickest * length, FormattableString.Invariant($"{seed}: {(ends.Max() - ends.Min()) / length:0.000}"));
+                tips++;
+            }
+        }
+
+        Assert.True(tips > 6);
+    }
+
+    /// <summary>The points of a limb's skin.</summary>
+    private static Vector3[] SkinOf(CreatureMesh mesh, LimbChain limb) =>
+        [.. Enumerable.Range(0, mesh.Positions.Length).Where(v => limb.Joints.Contains(mesh.Weights[v].Joint0)).Select(v => mesh.Positions[v])];
 
     /// <summary>The part of a limb's skin that faces the sides.</summary>
     private static double SideOf(CreatureMesh mesh, LimbChain limb)

@@ -101,6 +101,21 @@ public sealed class GrammarTests
         }
     }
 
+    [Fact]
+    public void Feet_of_swimmers_are_held_out_beside_them_where_they_are_seen_from_the_front()
+    {
+        CreatureBlueprint[] legged = [.. Strange(RequestedKind.Swimming, 60).Where(b => b.Legs.Count > 0).Take(8)];
+        Assert.True(legged.Length >= 4);
+        foreach (Creature creature in legged.Select(CreatureAssembler.Assemble))
+        {
+            foreach (LimbChain leg in creature.Limbs.Where(limb => limb.Kind == LimbKind.Leg && limb.Side == Side.Left))
+            {
+                Vector3 reach = creature.Skeleton.ModelPositions[leg.Joints[^1]] - creature.Skeleton.ModelPositions[leg.Joints[1]];
+                Assert.True(reach.X > -0.8f * reach.Z, FormattableString.Invariant($"{creature.Blueprint.Seed}: {reach}"));
+            }
+        }
+    }
+
     [Theory]
     [InlineData(BodyPlan.Digitigrade)]
     [InlineData(BodyPlan.Plantigrade)]

@@ -77,13 +77,13 @@ internal static class SprawlLeg
             Rows = new LegSection[]
             {
                 new() { Forward = 0, Down = 0, Outward = 0, ForeRadius = 1000, SideRadius = 800 },
-                new() { Forward = -90, Down = 40, Outward = 330, ForeRadius = 780, SideRadius = 660 },
-                new() { Forward = -300, Down = 110, Outward = 600, ForeRadius = 560, SideRadius = 500 },
-                new() { Forward = -540, Down = 170, Outward = 720, ForeRadius = 420, SideRadius = 400 },
-                new() { Forward = -800, Down = 220, Outward = 790, ForeRadius = 340, SideRadius = 330 },
-                new() { Forward = -1000, Down = 260, Outward = 810, ForeRadius = 300, SideRadius = 380 },
-                new() { Forward = -1140, Down = 280, Outward = 830, ForeRadius = 250, SideRadius = 460 },
-                new() { Forward = -1260, Down = 300, Outward = 850, ForeRadius = 220, SideRadius = 500 },
+                new() { Forward = -80, Down = 20, Outward = 330, ForeRadius = 700, SideRadius = 580 },
+                new() { Forward = -250, Down = 60, Outward = 620, ForeRadius = 520, SideRadius = 450 },
+                new() { Forward = -430, Down = 110, Outward = 850, ForeRadius = 400, SideRadius = 370 },
+                new() { Forward = -590, Down = 165, Outward = 1050, ForeRadius = 330, SideRadius = 310 },
+                new() { Forward = -710, Down = 210, Outward = 1200, ForeRadius = 300, SideRadius = 370 },
+                new() { Forward = -800, Down = 240, Outward = 1300, ForeRadius = 260, SideRadius = 470 },
+                new() { Forward = -880, Down = 265, Outward = 1390, ForeRadius = 230, SideRadius = 520 },
             },
         },
     };
