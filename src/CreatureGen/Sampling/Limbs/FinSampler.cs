@@ -52,11 +52,21 @@ internal static class FinSampler
         }
     }
 
+    /// <summary>Whether a swimmer will have an upright tail fin or a fluke to swim by, and not only a fringe or a plain tail.</summary>
+    public static bool IsDrivenByTailFin(CreatureBuilder builder) =>
+        PresetOf(builder) is FinPreset preset ? preset.Tail != TailStyle.Plain : builder.Plan is BodyPlan.Fish or BodyPlan.Whale;
+
+    /// <summary>The fins that a swimmer's species always has; null when it has those that its plan allows.</summary>
+    private static FinPreset? PresetOf(CreatureBuilder builder)
+    {
+        bool others = builder.Stream("other fins").Chance(OtherFins * builder.Strangeness) && builder.Parents.First.Disc.Sweep == 0;
+        return others ? null : builder.Parents.Fins.Fins;
+    }
+
     private static void Swim(CreatureBuilder builder)
     {
         RandomStream random = builder.Stream("fins");
-        bool others = builder.Stream("other fins").Chance(OtherFins * builder.Strangeness) && builder.Parents.First.Disc.Sweep == 0;
-        if (builder.Parents.Fins.Fins is FinPreset preset && !others)
+        if (PresetOf(builder) is FinPreset preset)
         {
             Own(builder, random, preset);
             return;

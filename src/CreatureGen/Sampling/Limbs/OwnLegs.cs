@@ -87,7 +87,7 @@ internal static class OwnLegs
         }
     }
 
-    /// <summary>Hangs the legs of a swimmer that has any.</summary>
+    /// <summary>Hangs the legs of a swimmer that has any: before a tail fin that drives it hind legs would hang in its way, as whales and sea cows know.</summary>
     public static void Paddle(CreatureBuilder builder, LegStyle style)
     {
         if (builder.Parents.Paddles is not LegPreset preset)
@@ -98,8 +98,14 @@ internal static class OwnLegs
         style = StyleOf(builder, style, preset);
         SpineMeasure measure = LegSampler.Measure(builder);
         double reach = CreatureBuilder.Between(builder.Stream("reach"), preset.Reach);
+        bool frontOnly = FinSampler.IsDrivenByTailFin(builder) && builder.MinLegPairs < preset.Sites.Length;
         foreach (LegSite site in preset.Sites)
         {
+            if (frontOnly && site.Ring > BodyGrid.AnchorRing)
+            {
+                continue;
+            }
+
             SpineSection section = measure.At(site.Ring);
             double thickness = preset.Thickness * site.Thickness;
             SocketBlueprint socket = SocketSizing.Size(

@@ -13,7 +13,10 @@ internal static class HipFit
     private const double OnHooves = 2.3;
     private const double OnSoles = 1.7;
 
-    /// <summary>Factor on the height at which a trunk is carried, at most 1; animals keep theirs, and those on legs of birds, which are thin.</summary>
+    /// <summary>The same on the legs of a bird: thin ones look longer than they are, and under a body of another they are stilts with a square gap between them.</summary>
+    private const double OnBirdLegs = 2.6;
+
+    /// <summary>Factor on the height at which a trunk is carried, at most 1; animals keep theirs.</summary>
     /// <param name="builder">The creature.</param>
     /// <param name="trunk">Its trunk.</param>
     /// <param name="hip">The height of its hips without this, metres.</param>
@@ -21,7 +24,7 @@ internal static class HipFit
     {
         double tallest = builder.Plan switch
         {
-            BodyPlan.Theropod when builder.Parents.Legs.Bird is null => OnTwoLegs,
+            BodyPlan.Theropod => builder.Parents.Legs.Bird is null ? OnTwoLegs : OnBirdLegs,
             BodyPlan.Digitigrade or BodyPlan.Centaur => OnToes,
             BodyPlan.Unguligrade => OnHooves,
             BodyPlan.Plantigrade or BodyPlan.Columnar => OnSoles,

@@ -1,0 +1,36 @@
+using System.Linq;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Sampling;
+using Xunit;
+
+namespace CreatureGen.Tests.Sampling;
+
+public sealed class PaddlingLegsTests
+{
+    private static readonly TailStyle[] driving = { TailStyle.Fork, TailStyle.Fan, TailStyle.Fluke, TailStyle.Lunate, TailStyle.Heterocercal, TailStyle.Truncate, TailStyle.Veil };
+
+    [Theory]
+    [InlineData(0.6)]
+    [InlineData(1)]
+    public void No_hind_legs_of_a_swimmer_hang_in_the_way_of_a_tail_fin_that_drives_it(double strangeness)
+    {
+        CreatureBlueprint[] legged = Driven(CreatureOptions.Default with { Kind = RequestedKind.Swimming, Strangeness = strangeness });
+        Assert.InRange(legged.Length, 10, 200);
+        Assert.DoesNotContain(legged, creature => creature.Legs.Any(leg => leg.Socket.Ring > BodyGrid.AnchorRing));
+    }
+
+    [Fact]
+    public void Who_asks_for_two_pairs_of_legs_gets_the_hind_ones_as_well()
+    {
+        CreatureBlueprint[] legged = Driven(CreatureOptions.Default with { Kind = RequestedKind.Swimming, MinLegPairs = 2 });
+        Assert.NotEmpty(legged);
+        Assert.All(legged, creature => Assert.True(creature.Legs.Count >= 2));
+    }
+
+    /// <summary>Swimmers with legs and a tail fin to swim by.</summary>
+    private static CreatureBlueprint[] Driven(CreatureOptions options) => Enumerable.Range(10710001, 200)
+        .Select(seed => BlueprintSampler.Sample((ulong)seed, options))
+        .Where(creature => creature.Legs.Count > 0 && driving.Contains(creature.Tail.Style))
+        .ToArray();
+}
