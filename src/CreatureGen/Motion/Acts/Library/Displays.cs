@@ -52,6 +52,13 @@ internal static class Displays
             new ActPhase("recover", 2.2f).To(Aside, 0f).To(Ahead, 0f).To(ForeDown, 0f).To(HindDown, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(Jaw, 0f).To(Ears, 0f).To(TailPitch, 0f).To(Lids, 0f).To(Wings, 0f))
             .Needing(ActNeeds.FourLegs).For(BodyBuild.Pawed | BodyBuild.Hoofed | BodyBuild.Columnar).OnTheSpot(),
         new Act("Submit", ActKind.Display,
+            new ActPhase("cower", 1.4f).To(HindDown, 0.3f).To(ForeDown, 0.3f).To(Ahead, -0.06f).To(BackPitch, -0.2f).To(HeadPitch, -0.3f).To(Ears, 1f).To(ArmsBend, 0.8f).To(TailPitch, -0.3f),
+            new ActPhase("bow", 2f).To(HindDown, 0.62f).To(ForeDown, 0.62f).To(Pitch, -0.5f).To(BackPitch, -0.6f).To(NeckPitch, -0.6f).To(HeadPitch, -0.35f).To(HeadSide, 0.25f).To(HeadRoll, 0.2f).To(Lids, 0.5f).To(TailPitch, -0.7f).To(TailCurl, -0.4f).To(Wings, -0.4f).To(ArmsAhead, 0.6f).To(ArmsOut, -0.2f).To(ArmsBend, 1.5f),
+            new ActPhase("stay", 7f).To(HeadSide, 0.4f).With(new ActWave(Up, 0.006f, 12f)).With(new ActWave(HeadSide, 0.08f, 1f)).With(new ActWave(ArmsBend, 0.1f, 3f)),
+            new ActPhase("look up", 1.4f).To(NeckPitch, -0.15f).To(HeadPitch, 0.2f).To(HeadSide, 0f).To(Lids, 0f),
+            new ActPhase("rise", 2.4f).To(ForeDown, 0f).To(HindDown, 0f).To(Ahead, 0f).To(Pitch, 0f).To(BackPitch, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(HeadRoll, 0f).To(Ears, 0f).To(TailPitch, 0f).To(TailCurl, 0f).To(Wings, 0f).To(ArmsAhead, 0f).To(ArmsOut, 0f).To(ArmsBend, 0f))
+            .Needing(ActNeeds.Head).For(BodyBuild.Upright).OnTheSpot(),
+        new Act("Submit", ActKind.Display,
             new ActPhase("crouch", 2.2f).To(ForeDown, 0.4f).To(HindDown, 0.55f).To(Ahead, -0.10f).To(NeckPitch, -0.35f).To(HeadPitch, -0.1f).To(HeadRoll, 0.2f).To(Ears, 1f).To(Lids, 0.4f).To(TailPitch, -0.6f).To(TailCurl, -0.4f).To(Wings, -0.4f).To(BackPitch, -0.15f),
             new ActPhase("stay", 7f).With(new ActWave(Up, 0.006f, 12f)).With(new ActWave(HeadSide, 0.08f, 1f)),
             new ActPhase("rise", 2.4f).To(ForeDown, 0f).To(HindDown, 0f).To(Ahead, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(HeadRoll, 0f).To(Ears, 0f).To(Lids, 0f).To(TailPitch, 0f).To(TailCurl, 0f).To(Wings, 0f).To(BackPitch, 0f))
@@ -59,9 +66,8 @@ internal static class Displays
         Dances.OfLegs,
         Dances.OfFliers,
         Dances.OfOthers,
-        new Act("Flinch", ActKind.Reflex,
-            new ActPhase("start", 0.6f, ActEase.Out).To(Ahead, -0.18f).To(ForeDown, 0.28f).To(HindDown, 0.2f).To(NeckPitch, 0.5f).To(HeadPitch, -0.45f).To(NeckSide, -0.6f).To(HeadSide, -0.25f).To(BackSide, -0.08f).To(Lids, 1f).To(Ears, 1f).To(TailPitch, -1f).To(ArmsBend, 1f).To(ArmsAhead, 0.7f).To(Wings, 0.5f),
-            new ActPhase("freeze", 1.6f).To(Lids, -0.2f).To(HeadSide, 0.1f).With(new ActWave(Up, 0.006f, 6f)),
-            new ActPhase("ease", 2.6f).To(Ahead, 0f).To(ForeDown, 0f).To(HindDown, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(NeckSide, 0f).To(HeadSide, 0f).To(BackSide, 0f).To(Lids, 0f).To(Ears, 0f).To(TailPitch, 0f).To(ArmsBend, 0f).To(ArmsAhead, 0f).To(Wings, 0f)),
+        Flinches.OfManyLegs,
+        Flinches.OfTwoLegs,
+        Flinches.OfOthers,
     };
 }

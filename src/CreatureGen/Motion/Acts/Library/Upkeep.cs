@@ -46,7 +46,11 @@ internal static class Upkeep
             .Needing(ActNeeds.Jaw).With(ActTool.Mouth, 0.8f).For(BodyBuild.TwoLegged),
         new Act("Drink", ActKind.Upkeep,
             new ActPhase("down", 3.2f).To(Reach, 1f).To(Jaw, 0.08f).To(Ears, 0.2f).Then(ActMark.Contact),
-            new ActPhase("lap", 9f).With(new ActWave(Jaw, 0.15f, 8f)).With(new ActWave(HeadPitch, 0.03f, 8f, 0.2f)),
+            new ActPhase("lap", 6f).With(new ActWave(Jaw, 0.22f, 6f)).With(new ActWave(HeadPitch, 0.05f, 6f, 0.2f)).With(new ActWave(Ears, 0.2f, 2f)).With(new ActWave(TailSide, 0.15f, 1f)),
+            new ActPhase("listen", 1.6f).To(Reach, 0.68f).To(Jaw, 0f).To(Ears, -0.6f).To(HeadSide, 0.25f),
+            new ActPhase("swallow", 1.8f).With(new ActWave(Jaw, 0.08f, 3f, 0.25f)).With(new ActWave(NeckPitch, 0.03f, 3f)).With(new ActWave(Ears, 0.3f, 1f)),
+            new ActPhase("down again", 1.6f).To(Reach, 1f).To(Jaw, 0.08f).To(Ears, 0.2f).To(HeadSide, 0f),
+            new ActPhase("lap again", 5f).With(new ActWave(Jaw, 0.22f, 5f)).With(new ActWave(HeadPitch, 0.05f, 5f, 0.2f)).With(new ActWave(TailSide, 0.15f, 1f)),
             new ActPhase("up", 2.8f).To(Reach, 0f).To(Jaw, 0f).To(Ears, 0f))
             .Needing(ActNeeds.Head).With(ActTool.Mouth, 0.75f).For(BodyBuild.Standing),
         new Act("Sniff", ActKind.Upkeep,
@@ -61,11 +65,12 @@ internal static class Upkeep
             new ActPhase("back", 2.2f).To(Reach, 0f).To(Ears, 0f).To(TailPitch, 0f))
             .Needing(ActNeeds.Head).With(ActTool.Mouth, 0.4f),
         new Act("Shake", ActKind.Upkeep,
-            new ActPhase("brace", 1f).To(ForeDown, 0.08f).To(HindDown, 0.06f).To(NeckPitch, -0.2f).To(Lids, 1f),
+            new ActPhase("brace", 1.2f).To(ForeDown, 0.08f).To(HindDown, 0.06f).To(NeckPitch, -0.45f).To(HeadPitch, -0.1f).To(TailPitch, 0.25f).To(Ears, 0.3f).To(Lids, 1f),
             new ActPhase("shake", 7f)
-                .With(new ActWave(HeadRoll, 0.30f, 6f)).With(new ActWave(NeckTwist, 0.42f, 6f)).With(new ActWave(BackTwist, 0.22f, 6f, 0.14f)).With(new ActWave(Roll, 0.05f, 6f, 0.2f))
-                .With(new ActWave(TailSide, 0.7f, 6f, 0.35f)).With(new ActWave(Ears, 0.6f, 6f)).With(new ActWave(ArmsOut, 0.12f, 6f, 0.1f)),
-            new ActPhase("recover", 1.6f).To(ForeDown, 0f).To(HindDown, 0f).To(NeckPitch, 0f).To(Lids, 0f))
+                .With(new ActWave(HeadRoll, 0.45f, 6f)).With(new ActWave(HeadSide, 0.2f, 6f, 0.1f)).With(new ActWave(NeckTwist, 0.55f, 6f)).With(new ActWave(NeckSide, 0.22f, 6f, 0.06f)).With(new ActWave(BackTwist, 0.22f, 6f, 0.14f)).With(new ActWave(Roll, 0.05f, 6f, 0.2f))
+                .With(new ActWave(TailSide, 0.8f, 6f, 0.35f)).With(new ActWave(TailPitch, 0.22f, 12f, 0.35f)).With(new ActWave(Ears, 0.9f, 6f, 0.1f)).With(new ActWave(ArmsOut, 0.16f, 6f, 0.1f)).With(new ActWave(Wings, 0.15f, 6f, 0.2f)),
+            new ActPhase("stretch", 1.2f).To(NeckPitch, 0.3f).To(HeadPitch, 0.1f).To(Ears, -0.3f).To(Lids, 0f),
+            new ActPhase("recover", 1.8f).To(ForeDown, 0f).To(HindDown, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(TailPitch, 0f).To(Ears, 0f))
             .Needing(ActNeeds.Head).For(BodyBuild.Standing).OnTheSpot(),
         new Act("Scratch", ActKind.Upkeep,
             new ActPhase("lower", 1.6f).To(HindDown, 0.4f).To(HindFold, 0.3f).To(BackSide, 0.15f).To(NeckSide, 0.2f),

@@ -1,0 +1,33 @@
+using static CreatureGen.Motion.ActChannel;
+
+namespace CreatureGen.Motion.Acts.Library;
+
+/// <summary>How bodies flinch: those without a face to show it give more with the rest.</summary>
+internal static class Flinches
+{
+    /// <summary>A low body springs back over its feet and arches: chest down, head tucked in, abdomen or tail up.</summary>
+    public static readonly Act OfManyLegs = Of(
+        new ActPhase("start", 0.7f, ActEase.Out).To(Ahead, -0.42f).To(Yaw, 0.12f).To(ForeDown, 0.55f).To(HindDown, 0.15f).To(BackSide, 0.2f).To(NeckPitch, -0.3f).To(HeadPitch, -0.6f).To(NeckSide, -0.5f).To(HeadSide, -0.3f).To(Ears, 1f).To(Lids, 1f).To(TailPitch, 0.7f).To(TailCurl, 0.8f).To(ArmsBend, 1f).To(ArmsAhead, 0.7f).To(Wings, 0.6f),
+        new ActPhase("freeze", 1.8f).To(Ahead, -0.34f).To(TailCurl, 0.6f).With(new ActWave(Up, 0.006f, 6f)).With(new ActWave(TailSide, 0.1f, 4f)),
+        new ActPhase("look", 1.4f).To(Lids, -0.2f).To(HeadPitch, 0f).To(HeadSide, 0.2f).To(Ears, -0.4f))
+        .For(BodyBuild.ManyLegged);
+
+    /// <summary>A body on two legs leans away over bent knees, arms and wings up before it.</summary>
+    public static readonly Act OfTwoLegs = Of(
+        new ActPhase("start", 0.6f, ActEase.Out).To(Ahead, -0.22f).To(Pitch, 0.2f).To(Yaw, 0.1f).To(ForeDown, 0.4f).To(HindDown, 0.4f).To(BackSide, -0.15f).To(NeckPitch, 0.35f).To(HeadPitch, -0.55f).To(NeckSide, -0.7f).To(HeadSide, -0.35f).To(Lids, 1f).To(Ears, 1f).To(TailPitch, -0.6f).To(ArmsBend, 1.4f).To(ArmsAhead, 0.9f).To(Wings, 0.6f),
+        new ActPhase("freeze", 1.6f).To(Ahead, -0.18f).To(Pitch, 0.12f).With(new ActWave(Up, 0.006f, 6f)),
+        new ActPhase("look", 1.4f).To(Lids, -0.2f).To(NeckSide, -0.3f).To(HeadSide, 0.15f).To(HeadPitch, -0.2f))
+        .For(BodyBuild.TwoLegged | BodyBuild.Upright);
+
+    public static readonly Act OfOthers = Of(
+        new ActPhase("start", 0.6f, ActEase.Out).To(Ahead, -0.18f).To(ForeDown, 0.28f).To(HindDown, 0.2f).To(NeckPitch, 0.5f).To(HeadPitch, -0.45f).To(NeckSide, -0.6f).To(HeadSide, -0.25f).To(BackSide, -0.08f).To(Lids, 1f).To(Ears, 1f).To(TailPitch, -1f).To(ArmsBend, 1f).To(ArmsAhead, 0.7f).To(Wings, 0.5f),
+        new ActPhase("freeze", 1.6f).To(Lids, -0.2f).To(HeadSide, 0.1f).With(new ActWave(Up, 0.006f, 6f)));
+
+    /// <summary>All that started, and eases again.</summary>
+    private static Act Of(params ActPhase[] started)
+    {
+        ActPhase ease = new ActPhase("ease", 2.6f).To(Ahead, 0f).To(Pitch, 0f).To(Yaw, 0f).To(ForeDown, 0f).To(HindDown, 0f).To(BackSide, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(NeckSide, 0f).To(HeadSide, 0f)
+            .To(Lids, 0f).To(Ears, 0f).To(TailPitch, 0f).To(TailCurl, 0f).To(ArmsBend, 0f).To(ArmsAhead, 0f).To(Wings, 0f);
+        return new Act("Flinch", ActKind.Reflex, [.. started, ease]);
+    }
+}
