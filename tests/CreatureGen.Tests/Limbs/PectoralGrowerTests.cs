@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using System.Numerics;
+using CreatureGen.Anatomy;
 using CreatureGen.Creatures;
 using CreatureGen.Rigging;
 using CreatureGen.Sampling;

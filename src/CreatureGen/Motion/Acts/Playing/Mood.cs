@@ -18,18 +18,12 @@ internal sealed class Mood
     private readonly float[] goal = new float[Act.ChannelCount];
     private readonly float[] shown = new float[Act.ChannelCount];
     private readonly float turnRate;
-    private readonly float low;
     private (float Goal, float Shown) wag;
     private float wagPace = 1f;
     private float turn;
 
     /// <param name="timeUnit">√(leg length / gravity), seconds.</param>
-    /// <param name="build">How the body carries itself: low bodies on many legs, which have no face for it, show it by chest, hips and abdomen.</param>
-    public Mood(float timeUnit, BodyBuild build)
-    {
-        turnRate = Wags / timeUnit;
-        low = build == BodyBuild.ManyLegged ? 1f : 0f;
-    }
+    public Mood(float timeUnit) => turnRate = Wags / timeUnit;
 
     /// <summary>Factor on the speed of acts.</summary>
     public float Pace { get; private set; } = 1f;
@@ -51,15 +45,13 @@ internal sealed class Mood
         float sad = drowsy * bad;
         float alert = aroused * Math.Max(1f - threat - fear, 0f);
         Set(ActChannel.NeckPitch, (0.45f * alert) - (0.2f * play) - (0.15f * threat) - (0.35f * fear) - (0.6f * sad) - (0.12f * calm));
-        Set(ActChannel.ForeDown, (0.16f * play) + (0.08f * threat) + (0.18f * fear) + (0.07f * sad) + (low * ((0.25f * fear) + (0.4f * sad) + (0.25f * calm) - (0.16f * threat) - (0.08f * alert))));
-        Set(ActChannel.HindDown, (0.3f * fear) + (0.04f * sad) + (low * ((0.4f * threat) + (0.3f * alert) + (0.3f * sad) + (0.25f * calm))));
+        Set(ActChannel.ForeDown, (0.16f * play) + (0.08f * threat) + (0.18f * fear) + (0.07f * sad));
+        Set(ActChannel.HindDown, (0.3f * fear) + (0.04f * sad));
         Set(ActChannel.Ahead, (0.08f * threat) - (0.14f * fear));
         Set(ActChannel.HeadRoll, 0.2f * play);
         Set(ActChannel.Ears, (-0.5f * alert) + (0.9f * threat) + fear + (0.5f * sad) + (0.2f * calm));
         Set(ActChannel.Lids, (-0.1f * aroused) + (0.35f * threat) + (0.5f * calm) + (0.65f * sad) - (0.05f * fear));
         Set(ActChannel.TailPitch, (0.3f * aroused) + (0.2f * threat) - (1.2f * fear) - (0.4f * sad) + (0.1f * calm) + (0.4f * play));
-        Set(ActChannel.TailCurl, low * ((0.9f * threat) + (0.5f * play) - (0.3f * fear)));
-        Set(ActChannel.HeadPitch, low * ((0.3f * alert) - (0.4f * fear) - (0.3f * sad)));
         Set(ActChannel.Jaw, (0.4f * threat) + (0.3f * play));
         Set(ActChannel.Wings, (0.5f * threat) + (0.2f * play));
         wag.Goal = (0.6f * play) + (0.3f * calm);
