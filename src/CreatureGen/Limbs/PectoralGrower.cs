@@ -19,7 +19,7 @@ internal static class PectoralGrower
     /// <summary>Share of the length from which on the edges draw together, so that no tip is cut off straight.</summary>
     private const float RoundedFrom = 0.86f;
 
-    // Half thickness of a fin at its root in lengths, where along the chord it is thickest, how much thinner it is at its tip, and where along the fin it begins to run out: with a thick end the tip is sawn off, with thick edges the fin is a plank from behind.
+    // Half thickness of a fin at its root in lengths, where along the chord it is thickest, how much thinner it is at its tip, and where along the fin it begins to run out: with a thick end the tip is sawn off.
     private const float Thickness = 0.073f;
     private const float Thickest = 0.3f;
     private const float Thinning = 0.7f;
@@ -127,8 +127,8 @@ internal static class PectoralGrower
         };
     }
 
-    /// <summary>Thickness over the chord, relative to the greatest: round in front, drawn out behind.</summary>
-    private static float Foil(float u) => u < Thickest ? (float)Math.Sqrt(u / Thickest) : 1f - (0.85f * Scalar.Smooth((u - Thickest) / 0.5f));
+    /// <summary>Thickness over the chord, relative to the greatest: drawn out behind.</summary>
+    private static float Foil(float u) => u < Thickest ? 1f : 1f - (0.85f * Scalar.Smooth((u - 0.2f) / 0.6f));
 
     /// <summary>Thickness along the fin, relative to one that does not run out.</summary>
     private static float RunningOut(float s)

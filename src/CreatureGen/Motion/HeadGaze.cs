@@ -26,6 +26,9 @@ internal sealed class HeadGaze
     /// <summary>How quickly ears begin and leave off to flick where that is in the middle of one, per second: they would snap.</summary>
     private const float FlickFade = 6f;
 
+    /// <summary>Fastest that lids go, from open to shut per second: a little faster than a blink. A second blow, or who gets up in the midst of a blink, would open or shut them at once.</summary>
+    private const float FastestLid = 20f;
+
     /// <summary>How long who is struck has its eyes shut, blinks.</summary>
     private const double WinceLength = 2.5;
 
@@ -42,6 +45,7 @@ internal sealed class HeadGaze
     private double seconds;
     private float slack;
     private float shown;
+    private bool isShown;
     private float flickWeight;
     private bool isLimp;
     private double winced = double.NegativeInfinity;
@@ -149,7 +153,9 @@ internal sealed class HeadGaze
 
         float shut = slack + ((1f - slack) * Lids);
         float blink = Held?.Lids ?? (IsLimp ? 0f : System.Math.Max(Blinks.At(blinks, seconds, blinkPeriod), Blinks.Once((seconds - winced) / WinceLength)));
-        shown = shut + ((1f - shut) * blink);
+        float wanted = shut + ((1f - shut) * blink);
+        shown = Held == null && isShown ? Scalar.Clamp(wanted, shown - (FastestLid * dt), shown + (FastestLid * dt)) : wanted;
+        isShown = true;
         return shown;
     }
 
@@ -166,7 +172,7 @@ internal sealed class HeadGaze
     public void Reset()
     {
         state = default;
-        (slack, shown) = (0f, 0f);
+        (slack, shown, isShown) = (0f, 0f, false);
         flickWeight = 0f;
         winced = double.NegativeInfinity;
     }

@@ -111,7 +111,7 @@ public sealed class GrammarTests
             foreach (LimbChain leg in creature.Limbs.Where(limb => limb.Kind == LimbKind.Leg && limb.Side == Side.Left))
             {
                 Vector3 reach = creature.Skeleton.ModelPositions[leg.Joints[^1]] - creature.Skeleton.ModelPositions[leg.Joints[1]];
-                Assert.True(reach.X > -0.8f * reach.Z, FormattableString.Invariant($"{creature.Blueprint.Seed}: {reach}"));
+                Assert.True(reach.X > -0.65f * reach.Z, FormattableString.Invariant($"{creature.Blueprint.Seed}: {reach}"));
             }
         }
     }

@@ -64,4 +64,32 @@ public sealed class StaggerTests
             }
         }
     }
+
+    [Fact]
+    public void Lids_of_who_is_struck_twice_do_not_open_at_once_with_the_second_blow()
+    {
+        const float Hertz = 480f;
+        const float Fastest = 60f;
+        foreach (MotionProfile profile in FreeFallTests.Lot(690, 8))
+        {
+            Skeleton skeleton = profile.Subject.Skeleton;
+            int lid = skeleton.FirstOf(JointRole.Lid);
+            var animator = new CreatureAnimator(profile);
+            animator.Teleport(RootPlace.Identity, FlatGround.Level);
+            Quaternion before = lid < 0 ? Quaternion.Identity : animator.LocalPose.Rotations[lid];
+            for (int i = 0; lid >= 0 && i < (int)Hertz; i++)
+            {
+                if (i % 120 == 0)
+                {
+                    animator.Hit(skeleton.FirstOf(JointRole.Body), new Vector3(1e-4f, 0f, 0f));
+                }
+
+                animator.Update(1f / Hertz, default, FlatGround.Level);
+                Quaternion turn = Rotation.Multiply(Rotation.Inverse(before), animator.LocalPose.Rotations[lid]);
+                before = animator.LocalPose.Rotations[lid];
+                float speed = 2f * new Vector3(turn.X, turn.Y, turn.Z).Length() * Hertz;
+                Assert.True(speed < Fastest, $"{profile.Subject.Seed}: {skeleton.Joints[lid].Name} turns by {speed} rad/s");
+            }
+        }
+    }
 }
