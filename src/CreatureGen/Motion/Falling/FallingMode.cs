@@ -359,7 +359,7 @@ internal sealed partial class FallingMode : ILocomotionMode
     private void Begin(in RootPlace place, in Pose shown, in MotionSettings settings)
     {
         BodyVelocity velocity = legs!.Velocity;
-        Fall.Begin(shown, Rotation.Rotate(place.Rotation, velocity.Linear) * place.Scale, velocity.YawRate);
+        Fall.Begin(shown, Rotation.Rotate(place.Rotation, velocity.Linear) * place.Scale, AirTurn.Spinning(velocity.YawRate));
         State = BodyState.Falling;
         Tell(MotionEventKind.Fell, place, settings.Up, 0f, 0f);
     }

@@ -33,9 +33,6 @@ internal sealed class FreeFall
     /// <summary>Depth, part of that of a crouch, and rate, the same in τ, below which a landing is over.</summary>
     private const float Over = 0.02f;
 
-    /// <summary>How quickly turning dies away in the air, per second.</summary>
-    private const float TurnDamping = 1.5f;
-
     /// <summary>How far above and below its feet ground counts that they reach for, leg lengths.</summary>
     private const float StepHeight = 0.6f;
 
@@ -54,7 +51,7 @@ internal sealed class FreeFall
     private readonly Flail flail;
     private CriticallyDampedSpring sink;
     private Vector3 velocity;
-    private float turn;
+    private AirTurn turn;
     private float sinkRate;
     private float braking;
     private bool pushed;
@@ -75,11 +72,11 @@ internal sealed class FreeFall
     /// <summary>Begins to fall.</summary>
     /// <param name="shown">The pose shown last, in the parents' space.</param>
     /// <param name="start">Velocity of the body, world m/s.</param>
-    /// <param name="yawRate">Radians per second.</param>
-    public void Begin(in Pose shown, Vector3 start, float yawRate)
+    /// <param name="yaw">How it turns.</param>
+    public void Begin(in Pose shown, Vector3 start, in AirTurn yaw)
     {
         velocity = start;
-        turn = yawRate;
+        turn = yaw;
         sink = new CriticallyDampedSpring { Value = legs.Sink, Rate = 0 };
         fade.Keep(shown);
         last.Take(shown);
@@ -124,8 +121,7 @@ internal sealed class FreeFall
             Vector3 way = (velocity - (up * (0.5f * settings.Gravity * h))) * h;
             way += up * ((float)(sink.Value - before) * place.Scale);
             velocity -= up * (settings.Gravity * h);
-            turn *= Damping.Left(TurnDamping, h);
-            Quaternion rotation = UnitRotation.Renormalize(Rotation.Multiply(place.Rotation, AxisRotation.Yaw(turn * h)));
+            Quaternion rotation = UnitRotation.Renormalize(Rotation.Multiply(place.Rotation, AxisRotation.Yaw(turn.Step(h))));
             Vector3 next = place.Position + way;
             if (TryLand(place, next, up, ground, out Vector3 landed))
             {
@@ -139,10 +135,13 @@ internal sealed class FreeFall
         bool down = impact > 0f;
         float step = StepHeight * body.LegLength * place.Scale;
         floor.Lay(place.Position, up, ground, step, down ? step : 0f);
-        Vector3 ahead = Rotation.Rotate(Rotation.Inverse(place.Rotation), velocity) / place.Scale;
+
+        // As it will face when it comes down: turning, its legs would change from standing to going in the air.
+        Quaternion facing = down ? place.Rotation : Rotation.Multiply(place.Rotation, AxisRotation.Yaw(turn.Left));
+        Vector3 ahead = Rotation.Rotate(Rotation.Inverse(facing), velocity) / place.Scale;
         legs.Sink = (float)sink.Value;
         legs.Bow = 0f;
-        legs.Arrive(place, ahead.Z, ahead.Z, turn, settings, floor, flail.On(layer, tau), local);
+        legs.Arrive(place, ahead.Z, ahead.Z, turn.Spin, settings, floor, flail.On(layer, tau), local);
         if (pushed)
         {
             // Legs that fall at another speed take another pose, and are not there at once.

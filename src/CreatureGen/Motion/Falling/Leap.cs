@@ -56,8 +56,8 @@ internal sealed class Leap
     /// <summary>Velocity at the take-off, world m/s.</summary>
     public Vector3 Velocity { get; private set; }
 
-    /// <summary>Turn that is left to be made in the air, radians per second.</summary>
-    public float Turn { get; private set; }
+    /// <summary>How it turns in the air until it faces the way that it flies.</summary>
+    public AirTurn Turn { get; private set; }
 
     /// <summary>How far it jumps: out of a run by the way on which it crouches as well, and as far as that carries it.</summary>
     /// <param name="scale">World metres per model metre.</param>
@@ -185,7 +185,7 @@ internal sealed class Leap
         }
 
         Velocity = ahead + (settings.Up * plan.Upward);
-        Turn = angle / Math.Max(seconds, 0.05f);
+        Turn = off ? AirTurn.To(plan.Crouch < 1f ? legs.Velocity.YawRate : 0f, AngleTo(place, settings.Up), seconds) : default;
         return place;
     }
 

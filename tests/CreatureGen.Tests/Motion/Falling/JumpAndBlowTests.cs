@@ -244,4 +244,43 @@ public sealed class JumpAndBlowTests
             animator.Update(Frame, default, FlatGround.Level);
         }
     }
+
+    /// <summary>The whole turn was made at one rate until the feet were on the ground: the sprawler 10620052 came down turning at 8.5 rad/s, and a hip went at 172 rad/s as its feet passed below it.</summary>
+    [Fact]
+    public void Who_turns_in_a_jump_faces_its_target_and_comes_down_without_turning()
+    {
+        const float MaxTurn = 0.5f;
+        const float MinFacing = 0.95f;
+        int jumped = 0;
+        foreach (MotionProfile profile in FreeFallTests.Lot(680, 10))
+        {
+            var animator = new CreatureAnimator(profile);
+            animator.Teleport(RootPlace.Identity, FlatGround.Level);
+            float length = animator.JumpReach.Length;
+            var target = new Vector3(0.5f * length, 0f, 0f);
+            if (length == 0f || animator.Jump(target) != JumpResult.Begun)
+            {
+                continue;
+            }
+
+            bool landed = false;
+            for (int i = 0; i < 600 && !landed; i++)
+            {
+                animator.Update(Frame, default, FlatGround.Level);
+                landed = animator.Events.ToArray().Any(e => e.Kind == MotionEventKind.Landed);
+            }
+
+            string name = $"{profile.Subject.Seed} {profile.Subject.Plan}";
+            Assert.True(landed, name);
+            Quaternion before = animator.Root.Rotation;
+            Vector3 ahead = Rotation.Rotate(before, Vector3.UnitZ);
+            animator.Update(Frame, default, FlatGround.Level);
+            float turn = 2f * MathF.Abs(Rotation.Multiply(Rotation.Inverse(before), animator.Root.Rotation).Y) / Frame;
+            Assert.True(turn < MaxTurn, $"{name} turns at {turn} rad/s as it is down");
+            Assert.True(ahead.X > MinFacing, $"{name} faces {ahead}");
+            jumped++;
+        }
+
+        Assert.True(jumped > 3, $"{jumped} jumped");
+    }
 }
