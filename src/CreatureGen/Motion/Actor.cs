@@ -126,7 +126,7 @@ internal sealed class Actor
         ActAim aim = ability.UsualAim;
         if (act.Reaches && target.Point is not Vector3)
         {
-            aim = aim with { Target = root.ToWorld(aim.Target) };
+            aim = aim with { Target = root.ToWorld(aim.Target), Own = aim.Target };
         }
         else if (act.Reaches)
         {

@@ -78,9 +78,9 @@ internal static class SprawlLeg
             {
                 new() { Forward = 0, Down = 0, Outward = 0, ForeRadius = 1000, SideRadius = 800 },
                 new() { Forward = -80, Down = 20, Outward = 330, ForeRadius = 700, SideRadius = 580 },
-                new() { Forward = -250, Down = 60, Outward = 620, ForeRadius = 520, SideRadius = 450 },
-                new() { Forward = -430, Down = 110, Outward = 850, ForeRadius = 400, SideRadius = 370 },
-                new() { Forward = -590, Down = 165, Outward = 1050, ForeRadius = 330, SideRadius = 310 },
+                new() { Forward = -250, Down = 60, Outward = 620, ForeRadius = 460, SideRadius = 390 },
+                new() { Forward = -430, Down = 110, Outward = 850, ForeRadius = 335, SideRadius = 300 },
+                new() { Forward = -590, Down = 165, Outward = 1050, ForeRadius = 295, SideRadius = 275 },
                 new() { Forward = -710, Down = 210, Outward = 1200, ForeRadius = 300, SideRadius = 370 },
                 new() { Forward = -800, Down = 240, Outward = 1300, ForeRadius = 260, SideRadius = 470 },
                 new() { Forward = -880, Down = 265, Outward = 1390, ForeRadius = 230, SideRadius = 520 },

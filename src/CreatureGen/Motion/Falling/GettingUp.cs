@@ -39,6 +39,9 @@ internal sealed class GettingUp
     private readonly PoseBuffer shown;
     private readonly LocalPose folded;
     private readonly Heave heave = new();
+
+    // Wings whose shortest way leads out of their limits.
+    private readonly bool[] goesAround;
     private BodyTurn fromTurn;
     private BodyTurn toTurn;
     private float gather;
@@ -57,6 +60,7 @@ internal sealed class GettingUp
         to = new LocalPose(profile.Skeleton);
         shown = new PoseBuffer(profile.Skeleton);
         ankles = new Vector3[profile.Skeleton.Count];
+        goesAround = new bool[profile.Skeleton.Count];
         folded = new LocalPose(profile.Skeleton);
     }
 
@@ -77,6 +81,12 @@ internal sealed class GettingUp
         if (rises)
         {
             rising!.Begin(place, settings, ground, layer, to.Pose);
+        }
+
+        for (int j = 0; j < goesAround.Length; j++)
+        {
+            Joint joint = profile.Skeleton.Joints[j];
+            goesAround[j] = joint.Role == JointRole.Wing && SwingTwistBlend.IsNeeded(from.Local.Rotations[j], to.Pose.Rotations[j], joint);
         }
 
         shown.Take(to.Pose);
@@ -149,6 +159,7 @@ internal sealed class GettingUp
         rising?.CopyFrom(other.rising!);
         heave.CopyFrom(other.heave);
         other.ankles.CopyTo(ankles, 0);
+        other.goesAround.CopyTo(goesAround, 0);
     }
 
     /// <summary>Finds how high the body has to heave itself as it draws its legs in.</summary>
@@ -180,7 +191,9 @@ internal sealed class GettingUp
         for (int j = 0; j < profile.Skeleton.Count; j++)
         {
             float w = profile.Windows[j].At(u);
-            shown.Local.Rotations[j] = SwingTwistBlend.Between(from.Local.Rotations[j], to.Pose.Rotations[j], w, profile.Skeleton.Joints[j]);
+            shown.Local.Rotations[j] = goesAround[j]
+                ? SwingTwistBlend.Between(from.Local.Rotations[j], to.Pose.Rotations[j], w, profile.Skeleton.Joints[j])
+                : Rotation.Slerp(from.Local.Rotations[j], to.Pose.Rotations[j], w);
             shown.Local.Positions[j] = Vec.Lerp(from.Local.Positions[j], to.Pose.Positions[j], w);
         }
 

@@ -11,7 +11,7 @@ namespace CreatureGen.Motion.Swimming;
 internal sealed class LegFold
 {
     /// <summary>Least and widest angle between the direction that a folded leg is turned to and straight back, and the steps in which it is sought, radians. The least leaves hips room to follow the flank both ways.</summary>
-    private const double MinSplay = 0.3;
+    private const double MinSplay = 0.34;
     private const double WidestSplay = 0.9;
     private const double SplayStep = 0.06;
 

@@ -179,6 +179,41 @@ public sealed class SuddenChangeTests
         Assert.InRange(animator.Root.Position.Y, -0.1f * size, 0.1f * size);
     }
 
+    /// <summary>It reached for where it would have drunk as it was asked to, which lay under its chest once it had come to a stand: its head went over its back and down again at 720 m/s.</summary>
+    [Theory]
+    [InlineData(RequestedKind.Walking)]
+    [InlineData(RequestedKind.Flying)]
+    public void Who_is_to_drink_as_it_runs_drinks_ahead_of_where_it_has_come_to_a_stand(RequestedKind kind)
+    {
+        const double FastestNeck = 30;
+        Creature creature = Of(kind, 10744002);
+        int[] neck = [.. Enumerable.Range(0, creature.Skeleton.Count).Where(j => creature.Skeleton.Joints[j].Role is JointRole.Neck or JointRole.Head)];
+        int head = creature.Skeleton.FirstOf(JointRole.Head);
+        var animator = new CreatureAnimator(creature);
+        for (int i = 0; i < 528; i++)
+        {
+            animator.Update(Frame, new MotionInput(1.52f, -1.07f), FlatGround.Level);
+        }
+
+        Assert.Equal(ActStatus.Started, animator.Perform("Drink").Status);
+        Quaternion[] before = animator.LocalPose.Rotations.ToArray();
+        float ahead = 0f;
+        for (int i = 0; i < 1920; i++)
+        {
+            animator.Update(Frame, default, FlatGround.Level);
+            foreach (int j in neck)
+            {
+                double speed = Rotation.Angle(Rotation.Multiply(Rotation.Inverse(before[j]), animator.LocalPose.Rotations[j])) / Frame;
+                Assert.True(speed < FastestNeck, $"{creature.Skeleton.Joints[j].Name} turns by {speed} rad/s at {i * Frame} s");
+            }
+
+            ahead = animator.ActEvents.ToArray().Any(e => e.Mark == ActMark.Contact) ? animator.ModelPose.Positions[head].Z : ahead;
+            before = animator.LocalPose.Rotations.ToArray();
+        }
+
+        Assert.True(ahead > creature.Skeleton.ModelPositions[creature.Skeleton.FirstOf(JointRole.Neck)].Z, $"its head drank {ahead} m ahead of its root");
+    }
+
     private static Creature Of(RequestedKind kind, ulong seed) => CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind });
 
     /// <summary>A creature whose legs and trunk are watched.</summary>

@@ -184,6 +184,7 @@ internal sealed class Performer
         room.Clamp(values);
         layer.Ask(values, side);
         layer.Trunk.Still = still;
+        (aim, lastAim) = (aim.At(root), lastAim.At(root));
         layer.Aim(lastAim, root.ToModel(lastAim.Target), player.LeftReach);
         layer.Aim(aim, root.ToModel(aim.Target), player.OwnReach);
     }

@@ -10,6 +10,25 @@ namespace CreatureGen.Motion.Toolkit.Ik;
 /// </summary>
 internal static class SwingTwistBlend
 {
+    /// <summary>Where along the shortest way it is looked at, and how far outside its limit a joint may be there, radians.</summary>
+    private const int Looks = 8;
+    private const double Outside = 0.1;
+
+    /// <summary>Whether the shortest way between two rotations within a joint's limit leads out of it.</summary>
+    public static bool IsNeeded(Quaternion from, Quaternion to, Joint joint)
+    {
+        for (int i = 1; i < Looks; i++)
+        {
+            Quaternion shortest = Rotation.Slerp(from, to, (float)i / Looks);
+            if (Rotation.Angle(Rotation.Multiply(Rotation.Inverse(shortest), SwingTwistLimit.ClampLocal(shortest, joint))) > Outside)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
     /// <summary>A rotation on the way.</summary>
     /// <param name="from">Where the way begins, in the parent's space.</param>
     /// <param name="to">Where it ends.</param>
