@@ -91,7 +91,6 @@ internal sealed class FreeFall
         pushed = true;
     }
 
-
     /// <summary>Falls on.</summary>
     /// <param name="place">Where the root is.</param>
     /// <param name="dt">Seconds.</param>

@@ -193,7 +193,7 @@ internal sealed class LimpBody
         {
             // On the ground, to which it comes as the body does from high above; of what swims no lower.
             float lift = Vec.Dot(hit.Point - under, up);
-            float near = Scalar.Smooth(Scalar.Clamp((FarAbove - (Vec.Dot(joint - hit.Point, up) / size)) / (FarAbove - NearAbove), 0f, 1f));
+            float near = Scalar.Smooth((FarAbove - (Vec.Dot(joint - hit.Point, up) / size)) / (FarAbove - NearAbove));
             under += up * (profile.Swims ? Math.Max(lift, 0f) : lift * near);
         }
 

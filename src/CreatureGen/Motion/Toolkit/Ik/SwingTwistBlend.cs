@@ -41,9 +41,9 @@ internal static class SwingTwistBlend
             return w >= 1f ? to : from;
         }
 
-        Quaternion axes = BoneAxes.AreOwn(joint) ? joint.LocalRotation : Rotation.Multiply(joint.LocalRotation, BoneAxes.Of(joint));
+        Quaternion own = BoneAxes.Of(joint);
+        Quaternion axes = Rotation.Multiply(joint.LocalRotation, own);
         Quaternion inverse = Rotation.Inverse(axes);
-        Quaternion own = BoneAxes.AreOwn(joint) ? Quaternion.Identity : BoneAxes.Of(joint);
         SwingTwistLimit.Split(Rotation.Multiply(inverse, Rotation.Multiply(from, own)), out double x, out double z, out double twist);
         SwingTwistLimit.Split(Rotation.Multiply(inverse, Rotation.Multiply(to, own)), out double toX, out double toZ, out double toTwist);
         Quaternion swing = SwingTwistLimit.Swing(Scalar.Lerp(x, toX, w), Scalar.Lerp(z, toZ, w));
