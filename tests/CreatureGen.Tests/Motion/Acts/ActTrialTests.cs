@@ -134,6 +134,18 @@ public class ActTrialTests
     }
 
     [Theory]
+    [InlineData("Lie")]
+    [InlineData("Die", Explicit = true)]
+    public void An_abdomen_whose_skin_comes_away_from_its_root_does_not_spring_up(string act)
+    {
+        // By .7 rad in one update: skin next to the root was not asked, and a little farther off asked for all at once.
+        var profile = new MotionProfile(CreatureGenerator.Generate(9971541, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        ActReport report = new ActTrial(profile.Acts.Find(act)).Run(profile);
+        Assert.InRange(report.JointSpeed, 0f, 40f);
+        Assert.InRange(report.Penetration ?? 0f, 0f, 0.015f);
+    }
+
+    [Theory]
     [InlineData("Eat")]
     [InlineData("Drink", Explicit = true)]
     public void A_head_brought_below_its_own_neck_does_not_turn_from_side_to_side(string act)

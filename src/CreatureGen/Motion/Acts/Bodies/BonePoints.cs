@@ -15,6 +15,9 @@ internal sealed class BonePoints
     /// <summary>Part of the level distance of the farthest point within which a point is not asked: it lies where the pivot lies.</summary>
     private const float ShortestLever = 0.25f;
 
+    /// <summary>Part of it from which on a point is asked wholly: one that comes from nearer is heard little by little.</summary>
+    private const float WholeLever = 0.4f;
+
     private readonly SkinPoint[] points;
 
     private BonePoints(SkinPoint[] points) => this.points = points;
@@ -50,15 +53,17 @@ internal sealed class BonePoints
         }
 
         // What is close to the pivot is hardly raised by any angle: it would ask for all that there is.
-        float shortest = Math.Max(ShortestLever * ShortestLever * farthest, 1e-8f);
+        float reach = (float)Math.Sqrt(farthest);
+        float shortest = Math.Max(ShortestLever * reach, 1e-4f);
         foreach (SkinPoint point in points)
         {
             Vector3 place = point.PlaceIn(model);
             float height = ground.HeightOf(place);
-            float away = LevelSquared(place - pivot);
+            float away = (float)Math.Sqrt(LevelSquared(place - pivot));
             if (height < 0f && away > shortest)
             {
-                max = Math.Max(max, -height / (float)Math.Sqrt(away));
+                float heard = Scalar.Smooth(Scalar.Clamp((away - shortest) / ((WholeLever - ShortestLever) * reach), 0f, 1f));
+                max = Math.Max(max, heard * -height / away);
             }
         }
 

@@ -95,11 +95,12 @@ internal static class Attacks
             .Needing(ActNeeds.Abdomen | ActNeeds.Legs).With(ActTool.Tail).For(BodyBuild.ManyLegged | BodyBuild.Sprawling).OnTheSpot(),
         OverBack().Needing(ActNeeds.LongTail | ActNeeds.Legs).For(BodyBuild.ManyLegged),
         new Act("TailSweep", ActKind.Strike,
-            new ActPhase("wind", 2f).To(Yaw, -0.32f).To(BackSide, 0.3f).To(TailSide, 1.6f).To(TailPitch, 0.15f).To(HindDown, 0.1f).To(NeckSide, 0.9f).To(HeadSide, 0.4f).To(Ears, 0.6f).AtLeast(Seen).Then(ActMark.Commit),
-            new ActPhase("sweep", 1.0f, ActEase.In).To(Yaw, 0.15f).To(BackSide, -0.1f).To(TailSide, -0.5f).To(HindDown, 0.04f),
-            new ActPhase("hit", 0.4f, ActEase.Out).To(Yaw, 0.32f).To(BackSide, -0.35f).To(TailSide, -1.5f).To(NeckSide, 0.5f).Then(ActMark.Contact),
-            new ActPhase("follow", 0.9f, ActEase.Out).To(Yaw, 0.36f).To(TailSide, -1.8f),
-            new ActPhase("recover", 2.6f).To(Yaw, 0f).To(BackSide, 0f).To(TailSide, 0f).To(TailPitch, 0f).To(HindDown, 0f).To(NeckSide, 0f).To(HeadSide, 0f).To(Ears, 0f))
+            new ActPhase("look", 1.2f).To(NeckSide, 1f).To(HeadSide, 0.4f).To(Ears, 0.6f).To(Aside, 0.06f).To(HindDown, 0.06f),
+            new ActPhase("wind", 1.8f).To(Yaw, -0.4f).To(BackSide, 0.4f).To(TailSide, 1.8f).To(TailPitch, 0.2f).To(HindDown, 0.18f).To(Roll, -0.05f).To(Jaw, 0.3f).AtLeast(Seen).Then(ActMark.Commit),
+            new ActPhase("sweep", 0.9f, ActEase.In).To(Aside, -0.06f).To(Yaw, 0.25f).To(BackSide, -0.25f).To(TailSide, 0.3f).To(HindDown, 0.06f).To(Roll, 0.05f),
+            new ActPhase("hit", 0.45f, ActEase.Out).To(Yaw, 0.4f).To(BackSide, -0.45f).To(TailSide, -1.7f).To(TailPitch, 0.05f).To(NeckSide, 0.6f).Then(ActMark.Contact),
+            new ActPhase("follow", 0.9f, ActEase.Out).To(Yaw, 0.42f).To(TailSide, -2f).To(TailCurl, 0.25f),
+            new ActPhase("recover", 2.6f).To(Yaw, 0f).To(BackSide, 0f).To(TailSide, 0f).To(TailPitch, 0f).To(TailCurl, 0f).To(HindDown, 0f).To(Aside, 0f).To(Roll, 0f).To(NeckSide, 0f).To(HeadSide, 0f).To(Jaw, 0f).To(Ears, 0f))
             .Needing(ActNeeds.LongTail | ActNeeds.Legs).For(BodyBuild.Standing).OnTheSpot(),
     };
 

@@ -18,12 +18,18 @@ internal sealed class Mood
     private readonly float[] goal = new float[Act.ChannelCount];
     private readonly float[] shown = new float[Act.ChannelCount];
     private readonly float turnRate;
+    private readonly float stance;
     private (float Goal, float Shown) wag;
     private float wagPace = 1f;
     private float turn;
 
     /// <param name="timeUnit">√(leg length / gravity), seconds.</param>
-    public Mood(float timeUnit) => turnRate = Wags / timeUnit;
+    /// <param name="build">How the body carries itself: insects have no face, and tell by how they stand.</param>
+    public Mood(float timeUnit, BodyBuild build)
+    {
+        turnRate = Wags / timeUnit;
+        stance = build == BodyBuild.ManyLegged ? 1f : 0f;
+    }
 
     /// <summary>Factor on the speed of acts.</summary>
     public float Pace { get; private set; } = 1f;
@@ -45,9 +51,11 @@ internal sealed class Mood
         float sad = drowsy * bad;
         float alert = aroused * Math.Max(1f - threat - fear, 0f);
         Set(ActChannel.NeckPitch, (0.45f * alert) - (0.2f * play) - (0.15f * threat) - (0.35f * fear) - (0.6f * sad) - (0.12f * calm));
-        Set(ActChannel.ForeDown, (0.16f * play) + (0.08f * threat) + (0.18f * fear) + (0.07f * sad));
-        Set(ActChannel.HindDown, (0.3f * fear) + (0.04f * sad));
-        Set(ActChannel.Ahead, (0.08f * threat) - (0.14f * fear));
+        float foreStance = (0.3f * fear) + (0.35f * sad) + (0.25f * calm) - (0.3f * threat) - (0.2f * alert);
+        float hindStance = (0.25f * fear) + (0.4f * sad) + (0.3f * calm) + (0.15f * threat) - (0.1f * alert) - (0.15f * play);
+        Set(ActChannel.ForeDown, (0.16f * play) + (0.08f * threat) + (0.18f * fear) + (0.07f * sad) + (stance * foreStance));
+        Set(ActChannel.HindDown, (0.3f * fear) + (0.04f * sad) + (stance * hindStance));
+        Set(ActChannel.Ahead, (0.08f * threat) - (0.14f * fear) + (stance * ((0.1f * threat) - (0.2f * fear))));
         Set(ActChannel.HeadRoll, 0.2f * play);
         Set(ActChannel.Ears, (-0.5f * alert) + (0.9f * threat) + fear + (0.5f * sad) + (0.2f * calm));
         Set(ActChannel.Lids, (-0.1f * aroused) + (0.35f * threat) + (0.5f * calm) + (0.65f * sad) - (0.05f * fear));

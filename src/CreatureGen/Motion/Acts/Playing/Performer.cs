@@ -51,7 +51,7 @@ internal sealed class Performer
         this.body = body;
         this.room = room;
         layer = new ActLayer(body, room.Legs);
-        mood = new Mood(body.TimeUnit(MotionSettings.Default.Gravity));
+        mood = new Mood(body.TimeUnit(MotionSettings.Default.Gravity), body.Build);
         armWays = new float[body.Arms.Length];
     }
 
