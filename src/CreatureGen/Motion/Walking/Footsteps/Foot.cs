@@ -29,6 +29,9 @@ internal struct Foot
     /// <inheritdoc cref="FootPath.Taken"/>
     public readonly float Taken => Path.Taken;
 
+    /// <summary>How high the ground under its sole is in the mean above that, not above 0: where it stands, or on its way from there to where it will; metres of the model.</summary>
+    public readonly float Below => Phase == FootPhase.Stance ? Plan.From.Below : Plan.From.Below + ((Plan.To.Below - Plan.From.Below) * Swing);
+
     /// <summary>What users see of it.</summary>
     /// <param name="joint">Joint of its ball.</param>
     public readonly FootReport Report(int joint)

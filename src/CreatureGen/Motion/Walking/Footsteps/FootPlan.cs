@@ -37,7 +37,10 @@ internal struct FootPlan
     public bool HasTarget;
 
     /// <summary>Shift of the target off an edge, along the foot, metres.</summary>
-    public float Nudge;
+    public float Shift;
+
+    /// <summary>The wanted place for which that was found. World space.</summary>
+    public Vector3 Sought;
 
     /// <summary>Place in the swing's share of the cycle at which it left the ground.</summary>
     public float LiftAt;

@@ -17,7 +17,8 @@ internal sealed partial class FootPlanner
             feet[i] = default;
             ref Foot foot = ref feet[i];
             foot.Leg = LegOutcome.AtRest(body.Legs[i]);
-            Target(i, step, body.Legs[i].Home, body.Legs[i].Home, 0f, step.Frame.Rotation);
+            Target(i, step, 0f, body.Legs[i].Home, body.Legs[i].Home, 0f, step.Frame.Rotation);
+            feet[i].Plan.To.Attach(step.Ground as IMovingGround);
             foot.Plan.From = foot.Plan.To;
             foot.Plan.Stance = 0.5f;
         }

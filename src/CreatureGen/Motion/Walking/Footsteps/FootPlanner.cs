@@ -36,9 +36,6 @@ internal sealed partial class FootPlanner
     /// <summary>How far a place may lie off the plane of another and still be on the same ground, leg lengths.</summary>
     private const float OtherTread = 0.02f;
 
-    /// <summary>How quickly a swing takes up a change of what is asked, per second.</summary>
-    private const float AimRate = 15f;
-
     /// <summary>How far the gait's own swing may have come for a foot to join it: with less time left it would be hurled.</summary>
     private const float LatestJoin = 0.6f;
 
@@ -94,6 +91,7 @@ internal sealed partial class FootPlanner
             foot.Plan.From.Position += offset;
             foot.Plan.To.Position += offset;
             foot.Plan.Wanted += offset;
+            foot.Plan.Sought += offset;
         }
     }
 
@@ -306,7 +304,7 @@ internal sealed partial class FootPlanner
         foot.Plan.Aimed = false;
         foot.Plan.ForGood = false;
         foot.Plan.Swing = 0f;
-        foot.Plan.Nudge = 0f;
+        foot.Plan.Shift = 0f;
         foot.Plan.Ahead = step.Moving ? 0f : foot.Plan.Ahead;
         events.Tell(MotionEventKind.FootUp, leg, step, foot.Plan.From, 0f);
     }
@@ -341,8 +339,9 @@ internal sealed partial class FootPlanner
 
         // It stays on the tread that it was to come down on if it is not dragged far for that. Its place is off edges already.
         Foothold meant = foot.Plan.To;
-        foot.Plan.Nudge = 0f;
-        Target(leg, step, step.Frame.ToModel(meant.Position) + astray, body.Legs[leg].Home, meant.YawFrom(step.Frame), meant.Heading);
+        foot.Plan.Shift = 0f;
+        Place(leg, step, step.Frame.ToModel(meant.Position) + astray, body.Legs[leg].Home, meant.YawFrom(step.Frame), meant.Heading);
+        foot.Plan.To.Attach(step.Ground as IMovingGround);
         bool isNear = Vec.LengthSquared(astray) < Square(MaxDrag * body.Legs[leg].Length);
         if (!foot.Plan.HasTarget || (isNear && Math.Abs(Vec.Dot(foot.Plan.To.Position - meant.Position, meant.Normal)) > OtherTread * body.Legs[leg].Length * step.Frame.Scale))
         {
@@ -351,52 +350,11 @@ internal sealed partial class FootPlanner
         }
     }
 
-    /// <summary>Sets the target of a swing.</summary>
-    /// <param name="leg">Whose.</param>
-    /// <param name="step">The moment.</param>
-    /// <param name="ahead">Seconds to the middle of the stance to come.</param>
-    /// <param name="flight">Seconds until it comes down.</param>
-    private void Aim(int leg, in StepContext step, float ahead, float flight)
-    {
-        ref Foot foot = ref feet[leg];
-        NextStance stance = Next(leg, step, ahead, flight, out foot.Plan.ForGood);
-        Quaternion turn = AxisRotation.Yaw(stance.Yaw);
-        Vector3 wanted = stance.Place;
-
-        // Who stands shifts its weight, and its feet go home whatever its hips do.
-        Vector3 shift = Rotation.Rotate(turn, Shift(leg));
-        Vector3 next = step.Frame.ToWorld(step.Moving ? LandingRange.Within(body, body.Legs[leg], foot.Leg, step.RootVelocity, flight, wanted + shift) - shift : wanted);
-        Quaternion heading = UnitRotation.Renormalize(Rotation.Multiply(step.Frame.Rotation, turn));
-        float fraction = foot.Plan.Swing > 0f && foot.Plan.Aimed ? TakenUp(foot.Plan.Swing, flight, foot.Plan.ForGood, step) : 1f;
-        foot.Plan.Wanted += (next - foot.Plan.Wanted) * fraction;
-        heading = fraction < 1f ? UnitRotation.Nlerp(foot.Plan.To.Heading, heading, fraction) : heading;
-        Target(leg, step, step.Frame.ToModel(foot.Plan.Wanted), stance.Home, stance.Yaw, heading);
-        search.Survey(step, leg, foot, ways[leg]);
-        foot.Plan.Aimed = true;
-    }
-
-    /// <summary>How much of a change of the target is taken up in a step of time; where the foot comes down for good, all by the time at which the target stays where it is.</summary>
-    private float TakenUp(float swing, float flight, bool forGood, in StepContext step)
-    {
-        float fraction = aimDecay.Fraction(AimRate * step.Step);
-        float left = flight * (StepPhase.Frozen - swing) / (1f - swing);
-        return forGood && left > 0f ? Math.Max(fraction, Math.Min(step.Step / left, 1f)) : fraction;
-    }
-
-    /// <summary>Looks for ground under where a foot goes, and sets it there.</summary>
-    private void Target(int leg, in StepContext step, Vector3 wanted, Vector3 home, float yaw, Quaternion heading)
-    {
-        ref Foot foot = ref feet[leg];
-        foot.Plan.HasTarget = search.Find(step, leg, wanted, home, yaw, ref foot.Plan.Nudge, foot.Plan.Aimed ? 1 : FootingSearch.MaxLooks, out foot.Plan.To);
-        foot.Plan.To.Heading = heading;
-        foot.Plan.To.Attach(step.Ground as IMovingGround);
-    }
-
     /// <summary>What a standing body has set a foot away from its home, metres of the model.</summary>
     private Vector3 Offset(int leg) => new(0f, 0f, feet[leg].Plan.Ahead);
 
     /// <summary>How far a foot is set off an edge, metres of the model.</summary>
-    private Vector3 Shift(int leg) => new(0f, 0f, feet[leg].Plan.Nudge);
+    private Vector3 Shift(int leg) => new(0f, 0f, feet[leg].Plan.Shift);
 
     private static float Square(float x) => x * x;
 }

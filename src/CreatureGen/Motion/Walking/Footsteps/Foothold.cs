@@ -21,10 +21,16 @@ internal struct Foothold
     /// <summary>The platform that it is on, 0 for none.</summary>
     public int Platform;
 
+    /// <summary>How high the ground under the sole is in the mean above it, metres of the model: below 0 where its heel hangs over the edge that it came up, else 0. Bodies go by the ground and not by the edges that they climb.</summary>
+    public float Below;
+
     /// <summary>Whether its toes hang over an edge: it hardly rolls over them.</summary>
     public bool Overhangs;
 
-    /// <summary>Whether its toes meet a wall.</summary>
+    /// <summary>Whether an end of its sole is in a wall.</summary>
+    public bool InWall;
+
+    /// <summary>Whether its toes meet a wall, or one is right before them: it turns about the tip of them and does not roll on.</summary>
     public bool MeetsWall;
 
     private Vector3 localPosition;
@@ -36,6 +42,18 @@ internal struct Foothold
     {
         Quaternion rotation = Rotation.Multiply(Rotation.Inverse(body.Rotation), Heading);
         return 2f * (rotation.W < 0f ? -rotation.Y : rotation.Y);
+    }
+
+    /// <summary>Comes from where a swing went before: it does not leap to another tread.</summary>
+    /// <param name="before">The place before.</param>
+    /// <param name="moved">How far what is asked for has moved since.</param>
+    /// <param name="fraction">Share of the rest that is taken up.</param>
+    public void Approach(in Foothold before, Vector3 moved, float fraction)
+    {
+        Vector3 from = before.Position + moved;
+        Position = from + ((Position - from) * fraction);
+        Below = before.Below + ((Below - before.Below) * fraction);
+        Normal = Vec.Normalize(Vec.Lerp(before.Normal, Normal, fraction), Normal);
     }
 
     /// <summary>Takes note of where the place is on its platform.</summary>

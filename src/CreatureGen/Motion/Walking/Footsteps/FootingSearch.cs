@@ -9,7 +9,7 @@ using CreatureGen.Rigging;
 namespace CreatureGen.Motion.Walking.Footsteps;
 
 /// <summary>Finds ground for a foot: below where it wants to go, or nearby when there is a gap, an edge or a wall; and what stands in its way.</summary>
-internal sealed class FootingSearch
+internal sealed partial class FootingSearch
 {
     /// <summary>Where rays begin above the slope on which the body is, part of the leg's length: steps up to this height are taken.</summary>
     private const float Above = 0.8f;
@@ -35,15 +35,14 @@ internal sealed class FootingSearch
     /// <summary>The same of its sides.</summary>
     private const float SideFraction = 0.95f;
 
-    /// <summary>How far a foot is moved along itself in an update, and in all, part of its length.</summary>
-    private const float NudgeStep = 0.125f;
-    private const float NudgeFraction = 1f;
+    /// <summary>How far beyond its toes a foot rolls on over their tip, leg lengths: no wall is to be there.</summary>
+    private const float RollsOn = 0.15f;
 
-    /// <summary>The same of feet of legs out to the side, which sweep less far, part of the leg's length.</summary>
-    private const float LateralNudge = 0.1f;
+    /// <summary>How much the ground that a heel hangs above counts in the ground under a sole; the rest is under ball and toes.</summary>
+    private const float HeelFraction = 0.29f;
 
-    /// <summary>Part of its toes before a wall within which a ball is that goes on onto it.</summary>
-    private const float OntoFraction = 0.3f;
+    /// <summary>How far the ground under a heel is below the place at most, leg lengths.</summary>
+    private const float MostBelow = 0.3f;
 
     /// <summary>Part of the leg's length from which on a sole is long or wide.</summary>
     private const float LongSole = 0.15f;
@@ -56,9 +55,6 @@ internal sealed class FootingSearch
 
     /// <summary>Share of a change that is taken up when the ground along a way is felt again.</summary>
     private const float Renewal = 0.5f;
-
-    /// <summary>How often a foot may be shifted before it leaves the ground.</summary>
-    public const int MaxLooks = 8;
 
     /// <summary>Where else ground is looked for, leg lengths along the foot and toward the middle: the nearest first, along before aside, in before out.</summary>
     private static readonly (float Ahead, float In)[] alternatives =
@@ -79,16 +75,15 @@ internal sealed class FootingSearch
     /// <param name="wanted">Under the ball, model space; its height does not count.</param>
     /// <param name="home">Where that is under the body in the middle of the stance, model space: feet turn with their legs.</param>
     /// <param name="yaw">Heading of the foot there, radians from the body's.</param>
-    /// <param name="nudge">Shift along the foot that keeps it off an edge; carried on from update to update.</param>
-    /// <param name="looks">How often it may be shifted: once on its way, where it must not leap; as often as it takes before it leaves the ground.</param>
+    /// <param name="shift">Along the foot, metres: what keeps it off an edge.</param>
     /// <param name="place">The place; its heading is not set.</param>
     /// <returns>Whether there is ground.</returns>
-    public bool Find(in StepContext step, int leg, Vector3 wanted, Vector3 home, float yaw, ref float nudge, int looks, out Foothold place)
+    public bool Find(in StepContext step, int leg, Vector3 wanted, Vector3 home, float yaw, float shift, out Foothold place)
     {
         LegRig shape = body.Legs[leg];
         Vector3 up = step.Up;
         Vector3 ahead = Ahead(yaw);
-        Vector3 target = wanted + (ahead * nudge);
+        Vector3 target = wanted + (ahead * shift);
         bool found = Down(step, target, out GroundHit hit);
         if (!found)
         {
@@ -103,7 +98,7 @@ internal sealed class FootingSearch
         if (!found)
         {
             // The body itself may be too deep or too high to see what its feet are above.
-            target = wanted + (ahead * nudge);
+            target = wanted + (ahead * shift);
             found = Down(step, target, Farther, out hit);
         }
 
@@ -113,28 +108,21 @@ internal sealed class FootingSearch
             return false;
         }
 
-        bool uneven = !(step.Ground is IPlaneGround);
+        bool uneven = step.Ground is not IPlaneGround;
         Sole sole = default;
-        for (int look = 1; uneven; look++)
+        if (uneven)
         {
             sole = LaidOut(shape, home, ahead);
             Feel(step, shape, target, hit, ref sole);
-            float before = nudge;
-            KeepOffEdges(step, shape, target, hit, sole, ref nudge);
-            Vector3 shifted = target + (ahead * (nudge - before));
-            if (look >= looks || nudge == before || !Down(step, shifted, out GroundHit there))
-            {
-                break;
-            }
-
-            (target, hit) = (shifted, there);
         }
 
         place = new Foothold { Position = hit.Point, Normal = hit.Normal, Surface = hit.Surface, Platform = hit.Platform };
         if (uneven)
         {
+            place.Below = sole.Heel == SoleEnd.Hangs ? Math.Min(sole.Below - sole.Raise, 0f) : 0f;
             place.Overhangs = sole.Toes == SoleEnd.Hangs;
-            place.MeetsWall = sole.Toes == SoleEnd.Wall;
+            place.InWall = sole.Toes == SoleEnd.Wall || sole.Heel == SoleEnd.Wall;
+            place.MeetsWall = sole.Toes == SoleEnd.Wall || sole.Before == SoleEnd.Wall;
             place.Position += up * (sole.Raise * step.Frame.Scale);
             Vector3 tilt = Rotation.Rotate(step.Frame.Rotation, (sole.Ahead * sole.Slope) + (sole.Aside * sole.Tilt));
             place.Normal = Vec.Normalize((place.Normal / Vec.Dot(place.Normal, up)) - tilt, up);
@@ -226,38 +214,6 @@ internal sealed class FootingSearch
     /// <summary>Rise of a plane along each level axis.</summary>
     private static Vector3 Slope(Vector3 normal) => new Vector3(-normal.X, 0f, -normal.Z) / Math.Max(normal.Y, Steepest);
 
-    /// <summary>
-    /// Moves a foot back from an edge or a wall at its toes, or ahead from one at its heel, a little in each update. On a tread that is shorter than the foot an end hangs: no end goes into a
-    /// wall, also not to come off an edge. Where a wall is close ahead of the ball the foot goes on onto it.
-    /// </summary>
-    private void KeepOffEdges(in StepContext step, LegRig shape, Vector3 target, in GroundHit hit, in Sole sole, ref float nudge)
-    {
-        float length = shape.Fore + shape.Aft;
-        bool walls = sole.Toes == SoleEnd.Wall || sole.Heel == SoleEnd.Wall;
-        SoleEnd bad = walls ? SoleEnd.Wall : SoleEnd.Hangs;
-        if ((sole.Toes == bad) == (sole.Heel == bad))
-        {
-            return;
-        }
-
-        bool back = sole.Toes == bad;
-        if (walls && back)
-        {
-            Rise(step, shape, target, sole.At(OntoFraction * shape.Toe, 0f), hit, out SoleEnd close);
-            back = close != SoleEnd.Wall;
-        }
-
-        float way = (back ? -NudgeStep : NudgeStep) * length;
-        if (!walls)
-        {
-            Rise(step, shape, target, sole.At((back ? -EndFraction * shape.Aft : EndFraction * shape.Fore) + way, 0f), hit, out SoleEnd there);
-            way = there == SoleEnd.Wall ? 0f : way;
-        }
-
-        float max = shape.Lateral ? Math.Min(NudgeFraction * length, LateralNudge * shape.Length) : NudgeFraction * length;
-        nudge = Scalar.Clamp(nudge + way, -max, max);
-    }
-
     /// <summary>A sole as it will lie in the middle of its stance: turned with its leg on its middle.</summary>
     private static Sole LaidOut(LegRig shape, Vector3 home, Vector3 ahead)
     {
@@ -280,14 +236,16 @@ internal sealed class FootingSearch
     {
         float end = EndFraction * shape.Toe;
         float toe = Rise(step, shape, target, sole.At(end, 0f), hit, out sole.Toes);
-        float heel = Rise(step, shape, target, sole.At(-EndFraction * shape.Heel, 0f), hit, out sole.Heel);
+        float heel = Rise(step, shape, target, sole.At(-EndFraction * shape.Heel, 0f), hit, out sole.Heel, out float ground);
+        sole.Below = HeelFraction * ground;
+        Rise(step, shape, target, sole.At(shape.Toe + (RollsOn * shape.Length), 0f), hit, out sole.Before);
         sole.Toes = shape.Fore > shape.Toe ? Bump(step, shape, target, sole.At(EndFraction * shape.Fore, 0f), hit, sole.Toes) : sole.Toes;
         sole.Heel = shape.Aft > shape.Heel ? Bump(step, shape, target, sole.At(-EndFraction * shape.Aft, 0f), hit, sole.Heel) : sole.Heel;
         sole.Slope = (toe - heel) / (EndFraction * (shape.Toe + shape.Heel));
         sole.StandOn(toe, end, 0f);
         if (shape.Toe > LongSole * shape.Length)
         {
-            sole.StandOn(Rise(step, shape, target, sole.At(0.5f * end, 0f), hit, out _), 0.5f * end, 0f);
+            sole.StandOn(Rise(step, shape, target, sole.At(0.5f * end, 0f), hit, out sole.Middle), 0.5f * end, 0f);
         }
 
         if (shape.HalfWidth <= LongSole * shape.Length)
@@ -319,10 +277,14 @@ internal sealed class FootingSearch
     /// <summary>Rise of the ground with a normal over its way, at the steepest.</summary>
     private static float Steepness(Vector3 normal, Vector3 up) => Vec.Length(Vec.Reject(normal, up)) / Math.Max(Vec.Dot(normal, up), Steepest);
 
-    /// <summary>How much higher the ground is beside a foot's place than the plane of that place goes on, metres of the model; none where an edge or a wall is.</summary>
-    private float Rise(in StepContext step, LegRig shape, Vector3 target, Vector3 beside, in GroundHit under, out SoleEnd end)
+    /// <summary>The same where only that counts.</summary>
+    private float Rise(in StepContext step, LegRig shape, Vector3 target, Vector3 beside, in GroundHit under, out SoleEnd end) => Rise(step, shape, target, beside, under, out end, out _);
+
+    /// <summary>How much higher the ground is beside a foot's place than the plane of that place goes on, metres of the model; none where an edge or a wall is. Besides how much higher than the place it is, within bounds.</summary>
+    private float Rise(in StepContext step, LegRig shape, Vector3 target, Vector3 beside, in GroundHit under, out SoleEnd end, out float height)
     {
         end = SoleEnd.Hangs;
+        height = -MostBelow * shape.Length;
         if (!Down(step, target + beside, out GroundHit hit))
         {
             return 0f;
@@ -331,10 +293,16 @@ internal sealed class FootingSearch
         Vector3 up = step.Up;
         Vector3 way = hit.Point - under.Point;
         float scale = step.Frame.Scale;
-        float height = Vec.Dot(way, up);
+        float higher = Vec.Dot(way, up);
+        height = Scalar.Clamp(higher / scale, -MostBelow * shape.Length, MostBelow * shape.Length);
         float away = Vec.Length(Vec.Reject(way, up));
-        float beyond = Math.Abs(height) - (Math.Max(Steepness(hit.Normal, up), Steepness(under.Normal, up)) * away);
-        end = beyond <= (height < 0f ? EdgeDrop : WallRise) * shape.Length * scale ? SoleEnd.Stands : height < 0f ? SoleEnd.Hangs : SoleEnd.Wall;
+        float beyond = Math.Abs(higher) - (Math.Max(Steepness(hit.Normal, up), Steepness(under.Normal, up)) * away);
+        end = beyond <= (higher < 0f ? EdgeDrop : WallRise) * shape.Length * scale ? SoleEnd.Stands : higher < 0f ? SoleEnd.Hangs : SoleEnd.Wall;
+        if (end == SoleEnd.Hangs)
+        {
+            return 0f;
+        }
+
         float rise = Vec.Dot(way, under.Normal) / (Vec.Dot(under.Normal, up) * scale);
         float bend = Math.Abs(rise) / Math.Max(BendOfGround * Vec.Length(beside), 1e-6f);
         return rise * Scalar.Clamp(2f - bend, 0f, 1f);
@@ -379,9 +347,18 @@ internal sealed class FootingSearch
         /// <summary>Height above the place.</summary>
         public float Raise;
 
+        /// <summary>Height of the ground under its heel, that part of it which counts.</summary>
+        public float Below;
+
         /// <summary>What is below the ends.</summary>
         public SoleEnd Toes;
         public SoleEnd Heel;
+
+        /// <summary>What is below the middle of long toes.</summary>
+        public SoleEnd Middle;
+
+        /// <summary>What is below the place right before the toes.</summary>
+        public SoleEnd Before;
 
         /// <summary>A place of it from the ball's place.</summary>
         /// <param name="along">From its ball towards the toes.</param>

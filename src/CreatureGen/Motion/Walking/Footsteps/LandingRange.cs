@@ -37,9 +37,10 @@ internal static class LandingRange
         Vector3 rest = leg.Parts.Upper + leg.Shank;
         Vector3 chord = rest + (place - leg.Home);
         Vector3 slid = posed.Hip - leg.HipRest;
+        float below = -rest.Y - place.Y;
         Vector3 bounded = leg.Lateral
-            ? Reached(leg, chord - slid, Math.Max(LateralStretch, leg.RestStretch) * leg.Reach, -rest.Y - leg.Stoop, place)
-            : Reached(leg, chord, Math.Max(1f, leg.RestStretch) * leg.Reach, -rest.Y - (Drop * leg.Length), Beside(leg, place));
+            ? Reached(leg, chord - slid, Math.Max(LateralStretch, leg.RestStretch) * leg.Reach, below - leg.Stoop, place)
+            : Reached(leg, chord, Math.Max(1f, leg.RestStretch) * leg.Reach, below - (Drop * leg.Length), Beside(leg, place));
         bounded = leg.Lateral ? Turned(body, leg, posed.Carrier, bounded, rest - leg.Home - slid) : bounded;
         return bounded == place ? wanted : way + Rotation.Rotate(AxisRotation.Yaw(yaw), bounded);
     }

@@ -30,7 +30,7 @@ internal sealed class GaitClock
     /// <summary>Seconds ahead of which the speed decides how quick steps are.</summary>
     private const float Foresight = 0.25f;
 
-    /// <summary>How quickly a change of that is taken up, per second.</summary>
+    /// <summary>How quickly a change of that, or of how long steps are, is taken up, per second: feet would roll and fold another way at once where a gait changes.</summary>
     private const float GainRate = 8f;
 
     /// <summary>How quickly the tempo of who comes to a stand falls at most, cycles per second in a second, parts of g/leg: its last steps are short instead of slow.</summary>
@@ -55,12 +55,14 @@ internal sealed class GaitClock
     private float frequencyRest;
     private ExponentialDecay shapeDecay;
     private ExponentialDecay gainDecay;
+    private ExponentialDecay lengthDecay;
     private float gainAhead;
     private Gait? measured;
     private float measuredFroude;
     private float measuredGravity;
     private float measuredSlope;
     private float measuredFrequency;
+    private float measuredLength = 1f;
     private SlopeStance longest;
     private float slope;
     private bool isKept;
@@ -90,7 +92,7 @@ internal sealed class GaitClock
     /// <summary>Seconds of a cycle, 10 at most.</summary>
     public float Cycle => 1f / Math.Max(Frequency, 0.1f);
 
-    /// <summary>How long steps are, of those that go straight ahead at the same speed, 0..1: in a turn they come quicker, and are shorter for it.</summary>
+    /// <summary>How long steps are, of those that go straight ahead on level ground at the same speed, 0..1: in a turn and on slopes they come quicker, and are shorter for it.</summary>
     public float Length { get; private set; } = 1f;
 
     /// <summary>Part of the cycle that a foot is down.</summary>
@@ -127,6 +129,7 @@ internal sealed class GaitClock
         frequencyRest = other.frequencyRest;
         shapeDecay = other.shapeDecay;
         gainDecay = other.gainDecay;
+        lengthDecay = other.lengthDecay;
         gainAhead = other.gainAhead;
         slope = other.slope;
         isKept = other.isKept;
@@ -135,6 +138,7 @@ internal sealed class GaitClock
         measuredGravity = other.measuredGravity;
         measuredSlope = other.measuredSlope;
         measuredFrequency = other.measuredFrequency;
+        measuredLength = other.measuredLength;
         longest = other.longest;
     }
 
@@ -194,7 +198,8 @@ internal sealed class GaitClock
         float kept = velocity.IsToStand || isKept ? Frequency - (fall * gravity / body.LegLength * dt) : 0f;
         isKept = kept > needed;
         Frequency = Math.Max(needed, kept);
-        Length = Math.Min(straight / Frequency, 1f);
+        float length = Math.Min(measuredLength * straight / Frequency, 1f);
+        Length = dt > 0f ? Length + ((length - Length) * lengthDecay.Fraction(GainRate * dt)) : length;
         float cycle = Frequency * dt;
         float duty = DutyInTurn(Gait, froude, velocity.Turn, unit);
         Duty += Scalar.Clamp(duty - Duty, -DutyPerCycle * cycle, DutyPerCycle * cycle);
@@ -310,7 +315,9 @@ internal sealed class GaitClock
             measuredFroude = froude;
             measuredGravity = gravity;
             measuredSlope = slope;
-            measuredFrequency = GaitSet.FrequencyOf(gait, froude, body.LegLength, gravity, longest.At(slope), quickest);
+            float stance = longest.At(slope);
+            measuredFrequency = GaitSet.FrequencyOf(gait, froude, body.LegLength, gravity, stance, quickest);
+            measuredLength = stance < longest.Level ? GaitSet.FrequencyOf(gait, froude, body.LegLength, gravity, longest.Level, quickest) / measuredFrequency : 1f;
         }
 
         return measuredFrequency;

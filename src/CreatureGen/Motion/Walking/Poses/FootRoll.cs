@@ -152,7 +152,7 @@ internal static class FootRoll
         FastTrigonometry.SinCos(up, out float su, out float cu);
         float h = leg.BallHeight;
 
-        // Against a wall it turns about the tip of its toes, and does not roll on into it.
+        // Before a wall it turns about the tip of its toes, and does not roll on into it.
         Vector2 over = (foot.Plan.From.MeetsWall ? new ToeTip(leg.Toe, 0f) : leg.Tip).BallAt(down, h);
         float along = over.X + ((leg.Heel * cu) - leg.Heel) + (h * su);
         float above = over.Y + ((-leg.Heel * su) + (h * cu)) - h;

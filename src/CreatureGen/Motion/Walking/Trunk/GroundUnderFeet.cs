@@ -6,7 +6,7 @@ using CreatureGen.Motion.Walking.Legs;
 
 namespace CreatureGen.Motion.Walking.Trunk;
 
-/// <summary>Ground under hind and fore feet, seen along the slope from the middle of where they belong: half way between their lowest and their mean.</summary>
+/// <summary>Ground under hind and fore feet, seen along the slope from the middle of where they belong: half way between their lowest and their mean. A heel that hangs over an edge counts as the ground below it: up stairs feet stand near edges, and bodies do not go as high as those.</summary>
 /// <param name="Hind">Height under the hind feet above the root, metres.</param>
 /// <param name="Fore">The same of the fore feet; where there are none, of the hind feet.</param>
 /// <param name="Across">How much higher it is on the left than on the right, metres.</param>
@@ -29,7 +29,7 @@ internal readonly record struct GroundUnderFeet(float Hind, float Fore, float Ac
         for (int i = 0; i < feet.Length; i++)
         {
             LegRig leg = body.Legs[i];
-            float y = feet[i].Path.Base.Y + (leg.Lateral ? feet[i].Path.Over : 0f) - (climb * (feet[i].Path.Base.Z - (leg.IsHind(body.Rows) ? body.Span.Rear : body.Span.Front)));
+            float y = feet[i].Path.Base.Y + feet[i].Below + (leg.Lateral ? feet[i].Path.Over : 0f) - (climb * (feet[i].Path.Base.Z - (leg.IsHind(body.Rows) ? body.Span.Rear : body.Span.Front)));
             if (leg.IsHind(body.Rows))
             {
                 hindMin = Math.Min(hindMin, y);

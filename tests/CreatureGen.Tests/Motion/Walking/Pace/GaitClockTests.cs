@@ -29,4 +29,52 @@ public sealed class GaitClockTests
             }
         }
     }
+
+    [Theory]
+    [InlineData(BodyPlan.Digitigrade)]
+    [InlineData(BodyPlan.Plantigrade)]
+    public void Steps_are_shorter_down_steep_slopes_than_on_level_ground(BodyPlan plan)
+    {
+        foreach (Creature creature in StrokeSubject.Of(plan))
+        {
+            LeggedBody body = LeggedBody.Of(new MotionSubject(creature))!;
+            float speed = 1.2f * (float)System.Math.Sqrt(Gravity * body.LegLength);
+            Assert.InRange(Going(body, GaitLibrary.Trot, speed, 0f, 0f).Length, 0.99f, 1f);
+            Assert.InRange(Going(body, GaitLibrary.Trot, speed, 0f, -0.4f).Length, 0.2f, 0.9f);
+        }
+    }
+
+    /// <summary>Feet roll and fold less in short steps: they would do so from one update to the next.</summary>
+    [Theory]
+    [InlineData(BodyPlan.Digitigrade)]
+    [InlineData(BodyPlan.Upright)]
+    public void Where_a_gait_changes_in_a_turn_steps_come_to_their_length_little_by_little(BodyPlan plan)
+    {
+        const float Step = 1f / 480f;
+        foreach (Creature creature in StrokeSubject.Of(plan))
+        {
+            LeggedBody body = LeggedBody.Of(new MotionSubject(creature))!;
+            float speed = 0.3f * (float)System.Math.Sqrt(Gravity * body.LegLength);
+            GaitClock clock = Going(body, GaitLibrary.Walk, speed, 2.5f, 0f);
+            clock.Change(GaitLibrary.Trot, speed * speed / (Gravity * body.LegLength), Gravity, Lead.Left);
+            RootVelocity velocity = RootVelocity.At(2f * speed, 0f, 2.5f);
+            for (int i = 0; i < 480; i++)
+            {
+                float before = clock.Length;
+                clock.Slide(Step, velocity, Gravity, 1f, 0f);
+                Assert.InRange(System.Math.Abs(clock.Length - before), 0f, 10f * Step);
+            }
+        }
+    }
+
+    private static GaitClock Going(LeggedBody body, Gait gait, float speed, float turn, float rise)
+    {
+        var clock = new GaitClock(body, gait);
+        for (int i = 0; i < 200; i++)
+        {
+            clock.Slide(0.01f, RootVelocity.At(speed, 0f, turn), Gravity, 1f, rise);
+        }
+
+        return clock;
+    }
 }

@@ -1,0 +1,104 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Walking.Legs;
+
+namespace CreatureGen.Motion.Walking.Footsteps;
+
+/// <content>How feet keep off edges and out of walls: of some places along the foot the one is taken that costs least.</content>
+internal sealed partial class FootingSearch
+{
+    /// <summary>Places to either side at which a foot is off edges are looked for.</summary>
+    private const int Looks = 5;
+
+    /// <summary>How far a foot is shifted for an end that would be in a wall, for one that hangs, for a wall right before its toes, for a leg length beyond what its leg reaches, and for one from where it went before as its swing ends; leg lengths.</summary>
+    private const float WallCost = 0.5f;
+    private const float HangCost = 0.12f;
+    private const float NearWallCost = 0.07f;
+    private const float BeyondCost = 2.5f;
+    private const float LateCost = 1.5f;
+
+    /// <summary>Part of a stance in which its leg has to reach where it stands still.</summary>
+    private const float LateStance = 0.7f;
+
+    /// <summary>How far feet of legs out to the side, which sweep less far, are shifted along themselves at most, leg lengths; others by their length.</summary>
+    private const float LateralShift = 0.1f;
+
+    /// <summary>How far a foot is shifted along itself from where it wants to go, to be off edges and out of walls, metres.</summary>
+    /// <param name="step">The moment.</param>
+    /// <param name="leg">Whose foot.</param>
+    /// <param name="foot">That foot.</param>
+    /// <param name="before">Where it went before.</param>
+    /// <param name="flight">Seconds until it comes down.</param>
+    /// <param name="wanted">Under the ball, model space; its height does not count.</param>
+    /// <param name="home">Where that is under the body in the middle of the stance, model space.</param>
+    /// <param name="yaw">Heading of the foot there, radians from the body's.</param>
+    public float OffEdges(in StepContext step, int leg, in Foot foot, in Foothold before, float flight, Vector3 wanted, Vector3 home, float yaw)
+    {
+        if (step.Ground is IPlaneGround)
+        {
+            return 0f;
+        }
+
+        LegRig shape = body.Legs[leg];
+        Vector3 ahead = Ahead(yaw);
+        Sole laid = LaidOut(shape, home, ahead);
+        float length = shape.Fore + shape.Aft;
+        float max = shape.Lateral ? Math.Min(length, LateralShift * shape.Length) : length;
+        float late = foot.Plan.Aimed ? LateCost * foot.Plan.Swing * foot.Plan.Swing / (shape.Length * step.Frame.Scale) : 0f;
+        float best = 0f;
+        float least = float.MaxValue;
+
+        // The nearest places first, behind before ahead.
+        for (int look = 0; look <= 2 * Looks; look++)
+        {
+            float shift = (look + 1) / 2 * max / Looks * ((look & 1) == 0 ? 1f : -1f);
+            float cost = Math.Abs(shift) / shape.Length;
+            if (cost >= least)
+            {
+                break;
+            }
+
+            Vector3 target = wanted + (ahead * shift);
+            if (!Down(step, target, out GroundHit hit))
+            {
+                continue;
+            }
+
+            Sole sole = laid;
+            Feel(step, shape, target, hit, ref sole);
+            float ends = Cost(sole);
+            if (look == 0 && ends == 0f)
+            {
+                break;
+            }
+
+            cost += ends + (BeyondCost * Beyond(step, shape, foot, flight, hit) / shape.Length) + (late * Vec.Distance(hit.Point, before.Position));
+            (best, least) = cost < least ? (shift, cost) : (best, least);
+        }
+
+        return best;
+    }
+
+    private static float Cost(in Sole sole)
+    {
+        float near = sole.Toes != SoleEnd.Wall && sole.Before == SoleEnd.Wall ? NearWallCost : 0f;
+        return Cost(sole.Toes) + Cost(sole.Middle) + Cost(sole.Heel) + near;
+    }
+
+    private static float Cost(SoleEnd end) => end switch { SoleEnd.Wall => WallCost, SoleEnd.Hangs => HangCost, _ => 0f };
+
+    /// <summary>How far a place is beyond what a leg reaches as its foot comes down there and late in the stance, metres.</summary>
+    private float Beyond(in StepContext step, LegRig shape, in Foot foot, float flight, in GroundHit hit)
+    {
+        Vector3 place = step.Frame.ToModel(hit.Point);
+        float late = step.Moving ? flight + (LateStance * step.Clock.Duty / step.Clock.Frequency) : flight;
+        return Beyond(step, shape, foot, flight, place) + Beyond(step, shape, foot, late, place);
+    }
+
+    private float Beyond(in StepContext step, LegRig shape, in Foot foot, float seconds, Vector3 place)
+    {
+        place.Y -= step.Slope * step.RootVelocity.Predict(seconds, out _).Z;
+        return Vec.Distance(LandingRange.Within(body, shape, foot.Leg, step.RootVelocity, seconds, place), place);
+    }
+}
