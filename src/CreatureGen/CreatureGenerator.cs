@@ -17,7 +17,7 @@ public static class CreatureGenerator
     public static Creature Generate(ulong seed, CreatureOptions options) => CreatureAssembler.Assemble(BlueprintSampler.Sample(seed, options));
 
     /// <summary>
-    /// The creature of a blueprint wherever it comes from, edited, crossed or read: it keeps everything that the library promises of creatures, or there is none. The look costs about an eighth of the building;
+    /// The creature of a blueprint wherever it comes from, edited, crossed or read: it keeps everything that the library promises of creatures, or there is none. The look costs about a fifth of the time;
     /// <see cref="CreatureAssembler.Assemble(CreatureBlueprint)"/> builds without it.
     /// </summary>
     /// <exception cref="UnsoundCreatureException">The creature that it gives does not stand, balance or close; the message says all that is broken, and <see cref="Repairs.BlueprintRepair"/> may mend it.</exception>

@@ -32,6 +32,15 @@ internal readonly ref struct DisjointSets
         return 1;
     }
 
+    /// <summary>Lets each number in the caller's buffer be the one that stands for its set: lower numbers lead, so that one pass upwards does it.</summary>
+    public void Flatten()
+    {
+        for (int i = 0; i < parents.Length; i++)
+        {
+            parents[i] = parents[parents[i]];
+        }
+    }
+
     /// <summary>The number that stands for the set of another: equal for two numbers of one set.</summary>
     public int Root(int i)
     {

@@ -32,9 +32,6 @@ internal sealed record SurfaceTopology
     /// <summary>Vertices in which several fans of triangles meet that have no edge in common there.</summary>
     public int PinchedVertices { get; internal init; }
 
-    /// <summary>Pieces; triangles that share a vertex belong to the same piece.</summary>
-    public int Components { get; internal init; }
-
     /// <summary>Vertices in use − edges + triangles: twice the number of pieces − twice the number of handles when the surface is closed.</summary>
     public int EulerCharacteristic { get; internal init; }
 

@@ -6,20 +6,39 @@ using static CreatureGen.Geometry.TriangleCorner;
 
 namespace CreatureGen.Geometry;
 
-/// <summary>The working behind <see cref="SurfaceTopology"/>: half-edges sorted by their edge, disjoint sets of corners and of vertices.</summary>
+/// <summary>The working behind <see cref="SurfaceTopology"/>: half-edges sorted by their edge, disjoint sets of corners.</summary>
 /// <remarks>Half-edge h starts at corner h of the index buffer and ends at the next corner of the same triangle.</remarks>
 internal static class TopologySurvey
 {
     /// <summary>Examines a mesh whose indices are in range.</summary>
     public static SurfaceTopology Examine(ReadOnlySpan<Vector3> positions, ReadOnlySpan<int> triangles)
     {
-        int vertices = positions.Length;
+        SurfaceTopology topology = VertexRings.AreWhole(positions.Length, triangles, out int used) ? OfClosed(positions.Length, triangles.Length / 3, used) : OfAny(positions.Length, triangles);
+        return topology with
+        {
+            Triangles = triangles.Length / 3,
+            DegenerateTriangles = CountDegenerate(positions, triangles),
+            NonFinitePositions = CountNonFinite(positions),
+        };
+    }
+
+    /// <summary>What nearly all surfaces are.</summary>
+    private static SurfaceTopology OfClosed(int vertices, int triangles, int used) => new()
+    {
+        Edges = 3 * triangles / 2,
+        EulerCharacteristic = used - (triangles / 2),
+        UnusedVertices = vertices - used,
+    };
+
+    /// <summary>Counts all that is wrong.</summary>
+    private static SurfaceTopology OfAny(int vertices, ReadOnlySpan<int> triangles)
+    {
         int corners = triangles.Length;
         ArrayPool<int> pool = ArrayPool<int>.Shared;
         int[] sorted = pool.Rent(corners);
         int[] spare = pool.Rent(corners);
         int[] perVertex = pool.Rent(vertices + 1);
-        int[] sets = pool.Rent(Math.Max(corners, vertices));
+        int[] sets = pool.Rent(corners);
         try
         {
             int halfEdges = SortByEdge(triangles, sorted, spare, perVertex.AsSpan(0, vertices + 1));
@@ -34,17 +53,13 @@ internal static class TopologySurvey
 
             return new SurfaceTopology
             {
-                Triangles = corners / 3,
                 Edges = edges.All,
                 OpenEdges = edges.Open,
                 NonManifoldEdges = edges.NonManifold,
                 WindingEdges = edges.Winding,
                 PinchedVertices = pinched,
-                Components = CountComponents(triangles, sets.AsSpan(0, vertices), used),
                 EulerCharacteristic = used - edges.All + (halfEdges / 3),
                 DuplicateTriangles = edges.DuplicateTriangles,
-                DegenerateTriangles = CountDegenerate(positions, triangles),
-                NonFinitePositions = CountNonFinite(positions),
                 UnusedVertices = CountUnused(triangles, perVertex.AsSpan(0, vertices)),
             };
         }
@@ -181,20 +196,6 @@ internal static class TopologySurvey
         }
 
         return duplicates;
-    }
-
-    private static int CountComponents(ReadOnlySpan<int> triangles, Span<int> vertexSets, int used)
-    {
-        var vertices = new DisjointSets(vertexSets);
-        for (int t = 0; t < triangles.Length; t += 3)
-        {
-            if (!UsesAVertexTwice(triangles, t))
-            {
-                used -= vertices.Join(triangles[t], triangles[t + 1]) + vertices.Join(triangles[t], triangles[t + 2]);
-            }
-        }
-
-        return used;
     }
 
     private static int CountDegenerate(ReadOnlySpan<Vector3> positions, ReadOnlySpan<int> triangles)

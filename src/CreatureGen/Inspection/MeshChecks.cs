@@ -51,10 +51,11 @@ internal static class MeshChecks
                 $"{all.OpenEdges} open edges, {all.NonManifoldEdges} edges of three or more triangles, {all.WindingEdges} edges wound against each other, {all.PinchedVertices} pinched vertices, {all.DuplicateTriangles} duplicate triangles; expected none");
         }
 
-        SurfaceTopology body = SurfaceTopology.Of(skin.Positions, skin.BodyTriangles);
-        if (body.EulerCharacteristic != 2)
+        // Of a closed surface each edge has two of the triangles' three edges.
+        int euler = all.IsClosed ? skin.BodyVertices - (skin.BodyTriangles.Length / 6) : SurfaceTopology.Of(skin.Positions, skin.BodyTriangles).EulerCharacteristic;
+        if (euler != 2)
         {
-            found.Add(CreatureInspection.OneSurface, $"body and limbs have Euler characteristic {body.EulerCharacteristic}; expected 2, one surface without handles");
+            found.Add(CreatureInspection.OneSurface, $"body and limbs have Euler characteristic {euler}; expected 2, one surface without handles");
         }
 
         double volume = VolumeOf(skin);
@@ -69,7 +70,7 @@ internal static class MeshChecks
             found.Add(CreatureInspection.Degenerate, $"{all.DegenerateTriangles} triangles have no area; expected none");
         }
 
-        CheckMirror(skin.Positions, found);
+        CheckMirror(skin, found);
         int triangles = creature.Mesh.Triangles.Length / 3;
         if (triangles > creature.Blueprint.TriangleBudget)
         {
@@ -90,14 +91,13 @@ internal static class MeshChecks
         return six / 6;
     }
 
-    private static void CheckMirror(ReadOnlySpan<Vector3> positions, ViolationList found)
+    private static void CheckMirror(WeldedSkin skin, ViolationList found)
     {
-        VertexWelding places = VertexWelding.Weld(positions);
-        for (int v = 0; v < positions.Length; v++)
+        foreach (Vector3 place in skin.Positions)
         {
-            if (places.IndexAt(Vec.Mirror(positions[v])) < 0)
+            if (!skin.HasVertexAt(Vec.Mirror(place)))
             {
-                found.Add(CreatureInspection.Mirrored, $"the vertex at {positions[v]} has no mirror image; expected one at exactly {Vec.Mirror(positions[v])}");
+                found.Add(CreatureInspection.Mirrored, $"the vertex at {place} has no mirror image; expected one at exactly {Vec.Mirror(place)}");
                 return;
             }
         }

@@ -1,5 +1,5 @@
 using System;
-using System.Collections.Generic;
+using System.Buffers;
 using System.Numerics;
 using CreatureGen.Creatures;
 using CreatureGen.Geometry;
@@ -25,7 +25,7 @@ internal sealed class WeldedSkin
             }
         }
 
-        bodyTriangles = LargestPiece(opaqueTriangles, welding.Positions.Length);
+        (bodyTriangles, BodyVertices) = LargestPiece(opaqueTriangles, welding.Positions.Length);
     }
 
     /// <summary>Distinct positions, metres.</summary>
@@ -37,36 +37,52 @@ internal sealed class WeldedSkin
     /// <summary>Triangles of the largest piece of the opaque material, between distinct positions.</summary>
     public ReadOnlySpan<int> BodyTriangles => bodyTriangles;
 
-    private static int[] LargestPiece(ReadOnlySpan<int> triangles, int vertices)
+    /// <summary>Distinct positions that <see cref="BodyTriangles"/> use.</summary>
+    public int BodyVertices { get; }
+
+    /// <summary>Whether a vertex is at a place, to the bit.</summary>
+    public bool HasVertexAt(Vector3 place) => welding.IndexAt(place) >= 0;
+
+    private static (int[] Triangles, int Vertices) LargestPiece(ReadOnlySpan<int> triangles, int vertices)
     {
-        int[] sets = new int[vertices];
-        var pieces = new DisjointSets(sets);
+        int[] pieceOf = ArrayPool<int>.Shared.Rent(vertices);
+        int[] size = ArrayPool<int>.Shared.Rent(vertices);
+        var pieces = new DisjointSets(pieceOf.AsSpan(0, vertices));
+        Array.Clear(size, 0, vertices);
         for (int t = 0; t < triangles.Length; t += 3)
         {
             pieces.Join(triangles[t], triangles[t + 1]);
             pieces.Join(triangles[t], triangles[t + 2]);
         }
 
-        int[] size = new int[vertices];
+        pieces.Flatten();
         int largest = 0;
         for (int t = 0; t < triangles.Length; t += 3)
         {
-            int piece = pieces.Root(triangles[t]);
+            int piece = pieceOf[triangles[t]];
             size[piece]++;
             largest = size[piece] > size[largest] ? piece : largest;
         }
 
-        var kept = new List<int>(triangles.Length);
+        int[] kept = new int[3 * (vertices > 0 ? size[largest] : 0)];
+        int count = 0;
         for (int t = 0; t < triangles.Length; t += 3)
         {
-            if (pieces.Root(triangles[t]) == largest)
+            if (pieceOf[triangles[t]] == largest)
             {
-                kept.Add(triangles[t]);
-                kept.Add(triangles[t + 1]);
-                kept.Add(triangles[t + 2]);
+                triangles.Slice(t, 3).CopyTo(kept.AsSpan(count));
+                count += 3;
             }
         }
 
-        return kept.ToArray();
+        int used = 0;
+        for (int v = 0; v < vertices; v++)
+        {
+            used += pieceOf[v] == largest ? 1 : 0;
+        }
+
+        ArrayPool<int>.Shared.Return(pieceOf);
+        ArrayPool<int>.Shared.Return(size);
+        return (kept, used);
     }
 }
