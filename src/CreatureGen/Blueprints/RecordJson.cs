@@ -13,7 +13,7 @@ internal static class RecordJson
     public static string LineOf<T>(T record, RecordDescription<T> description)
         where T : class, IEquatable<T>
     {
-        var writer = new JsonWriter(JsonLayout.Line);
+        using var writer = new JsonWriter(JsonLayout.Line);
         FieldWriter.Write(writer, record, description, new ProblemList(""));
         return writer.ToString();
     }
@@ -23,7 +23,7 @@ internal static class RecordJson
     public static string DocumentOf<T>(T record, RecordDescription<T> description, string what)
         where T : class, IEquatable<T>
     {
-        var writer = new JsonWriter(JsonLayout.Indented);
+        using var writer = new JsonWriter(JsonLayout.Indented);
         Write(writer, record, description, what);
         return writer + "\n";
     }

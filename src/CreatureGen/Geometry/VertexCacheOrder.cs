@@ -65,7 +65,13 @@ internal static class VertexCacheOrder
                 {
                     int v = corners[k];
                     ordered[written++] = v;
-                    deadEnds[deadEndCount++] = v;
+
+                    // The fan itself is done: nobody need look at it again.
+                    if (v != fan)
+                    {
+                        deadEnds[deadEndCount++] = v;
+                    }
+
                     ref Vertex vertex = ref vertices[v];
                     vertex.Live--;
                     if (clock - vertex.Entered > CacheSize)

@@ -67,9 +67,9 @@ public static class GlbWriter
                 images!.Files[i].CopyTo(binary.Slice(plan.Blocks[i].Offset));
             }
 
-            var json = new JsonWriter(JsonLayout.Compact);
+            using var json = new JsonWriter(JsonLayout.Compact);
             DocumentWriter.Write(json, creature, options with { TextureSize = textures?.Size ?? 0 }, plan, levels, buffers, clips, box);
-            GlbContainer.Write(destination, json.ToUtf8(), binary);
+            GlbContainer.Write(destination, json.Utf8, binary);
         }
         finally
         {

@@ -60,6 +60,12 @@ internal static class InfluenceWriter
     /// </summary>
     public static Vector4 SumToOne(Vector4 weights)
     {
+        // What follows one joint alone, as many vertices do, needs none of three divisions.
+        if (weights == Vector4.UnitX)
+        {
+            return weights;
+        }
+
         double sum = (double)weights.X + weights.Y + weights.Z + weights.W;
         float y = (float)(weights.Y / sum);
         float z = (float)(weights.Z / sum);

@@ -151,7 +151,10 @@ internal static class VertexWriter
     {
         if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0])
         {
-            throw ExportError.At(FormattableString.Invariant($"triangle {index}"), FormattableString.Invariant($"its corners are the vertices {triangle[0]}, {triangle[1]} and {triangle[2]}"), "three different vertices");
+            throw Broken(triangle, index);
         }
     }
+
+    private static InvalidOperationException Broken(ReadOnlySpan<int> triangle, int index) =>
+        ExportError.At(FormattableString.Invariant($"triangle {index}"), FormattableString.Invariant($"its corners are the vertices {triangle[0]}, {triangle[1]} and {triangle[2]}"), "three different vertices");
 }

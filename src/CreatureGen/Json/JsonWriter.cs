@@ -1,4 +1,5 @@
 using System;
+using System.Buffers;
 using System.IO;
 using System.Text;
 
@@ -10,12 +11,14 @@ namespace CreatureGen.Json;
 /// <remarks>
 /// Calls that would not give JSON throw <see cref="InvalidOperationException"/>: a member without a name, an end without its beginning, a second root.
 /// </remarks>
-internal sealed class JsonWriter
+internal sealed class JsonWriter : IDisposable
 {
+    private const int FirstRoom = 1024;
+
     private readonly JsonLayout layout;
     private readonly Scope[] scopes = new Scope[JsonLimits.MaximumDepth];
     private int depth;
-    private byte[] buffer = new byte[1024];
+    private byte[] buffer = ArrayPool<byte>.Shared.Rent(FirstRoom);
     private int length;
     private bool named;
 
@@ -99,18 +102,32 @@ internal sealed class JsonWriter
     /// <summary>Writes null.</summary>
     public JsonWriter Null() => Plain("null"u8);
 
-    /// <summary>A copy of the finished text in UTF-8, without a byte order mark.</summary>
-    public byte[] ToUtf8()
+    /// <summary>The finished text in UTF-8, without a byte order mark; valid until the writer is disposed.</summary>
+    public ReadOnlySpan<byte> Utf8
     {
-        RequireFinished();
-        return buffer.AsSpan(0, length).ToArray();
+        get
+        {
+            RequireFinished();
+            return buffer.AsSpan(0, length);
+        }
     }
+
+    /// <summary>A copy of the finished text in UTF-8, without a byte order mark.</summary>
+    public byte[] ToUtf8() => Utf8.ToArray();
 
     /// <summary>Writes the finished text to a stream in UTF-8, without a byte order mark.</summary>
     public void CopyTo(Stream stream)
     {
         RequireFinished();
         stream.Write(buffer, 0, length);
+    }
+
+    /// <summary>Gives the memory back; the writer must not be used again. Without disposing, the collector takes it.</summary>
+    public void Dispose()
+    {
+        ArrayPool<byte>.Shared.Return(buffer);
+        buffer = Array.Empty<byte>();
+        length = 0;
     }
 
     /// <summary>The text so far.</summary>
@@ -223,25 +240,37 @@ internal sealed class JsonWriter
         }
 
         Append((byte)'"');
-        for (int i = 0; i < value.Length; i++)
+
+        // Nearly all text is plain from its first to its last character.
+        Span<byte> room = Room(value.Length);
+        int plain = 0;
+        for (; plain < value.Length && IsPlain(value[plain]); plain++)
+        {
+            room[plain] = (byte)value[plain];
+        }
+
+        length += plain;
+        for (int i = plain; i < value.Length; i++)
         {
             char character = value[i];
             if (character >= 0x80)
             {
                 i += AppendCodePoint(value, i);
             }
-            else if (character < 0x20 || character == '"' || character == '\\')
+            else if (IsPlain(character))
             {
-                AppendEscape(character);
+                Append((byte)character);
             }
             else
             {
-                Append((byte)character);
+                AppendEscape(character);
             }
         }
 
         Append((byte)'"');
     }
+
+    private static bool IsPlain(char character) => character is >= ' ' and < '\x80' and not ('"' or '\\');
 
     private void AppendEscape(char character)
     {
@@ -307,7 +336,7 @@ internal sealed class JsonWriter
     {
         if (length == buffer.Length)
         {
-            Array.Resize(ref buffer, length * 2);
+            Grow(1);
         }
 
         buffer[length++] = value;
@@ -315,10 +344,27 @@ internal sealed class JsonWriter
 
     private void Append(ReadOnlySpan<byte> bytes)
     {
-        foreach (byte value in bytes)
+        bytes.CopyTo(Room(bytes.Length));
+        length += bytes.Length;
+    }
+
+    /// <summary>Where the next bytes go.</summary>
+    private Span<byte> Room(int count)
+    {
+        if (count > buffer.Length - length)
         {
-            Append(value);
+            Grow(count);
         }
+
+        return buffer.AsSpan(length);
+    }
+
+    private void Grow(int count)
+    {
+        byte[] larger = ArrayPool<byte>.Shared.Rent(Math.Max(length + count, 2 * buffer.Length));
+        buffer.AsSpan(0, length).CopyTo(larger);
+        ArrayPool<byte>.Shared.Return(buffer);
+        buffer = larger;
     }
 
     private struct Scope

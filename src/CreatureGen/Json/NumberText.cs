@@ -13,6 +13,9 @@ internal static class NumberText
     /// <summary>No number's text is longer than this many characters.</summary>
     public const int MaximumLength = 32;
 
+    /// <summary>Of a whole number of 64 bits.</summary>
+    private const int MostDigits = 20;
+
     /// <summary>The text of a number; of NaN and the infinities their names, which are not JSON.</summary>
     public static string Of(double value)
     {
@@ -82,14 +85,15 @@ internal static class NumberText
             text[length++] = (byte)'-';
         }
 
-        Span<byte> digits = stackalloc byte[20];
-        int count = WriteDigits(number.Digits, digits);
-        digits = digits.Slice(0, count);
         if (number.Digits == 0)
         {
             text[length++] = (byte)'0';
             return length;
         }
+
+        Span<byte> room = stackalloc byte[MostDigits];
+        ReadOnlySpan<byte> digits = DigitsOf(number.Digits, room);
+        int count = digits.Length;
 
         // Place of the decimal point, counted from the first digit.
         int point = count + number.Exponent;
@@ -140,18 +144,23 @@ internal static class NumberText
 
     private static int WriteDigits(ulong value, Span<byte> text)
     {
-        int count = 1;
-        for (ulong rest = value / 10; rest != 0; rest /= 10)
-        {
-            count++;
-        }
+        Span<byte> room = stackalloc byte[MostDigits];
+        ReadOnlySpan<byte> digits = DigitsOf(value, room);
+        digits.CopyTo(text);
+        return digits.Length;
+    }
 
-        for (int i = count - 1; i >= 0; i--)
+    /// <summary>The digits of a number, which come from its end, at the end of the room.</summary>
+    private static ReadOnlySpan<byte> DigitsOf(ulong value, Span<byte> room)
+    {
+        int first = room.Length;
+        do
         {
-            text[i] = (byte)('0' + (value % 10));
-            value /= 10;
+            ulong tenth = value / 10;
+            room[--first] = (byte)('0' + (value - (10 * tenth)));
+            value = tenth;
         }
-
-        return count;
+        while (value != 0);
+        return room.Slice(first);
     }
 }

@@ -35,9 +35,9 @@ public static class ModelWriter
             added.Add(clip);
         }
 
-        var json = new JsonWriter(JsonLayout.Compact);
+        using var json = new JsonWriter(JsonLayout.Compact);
         added.Write(json);
-        GlbContainer.Write(destination, json.ToUtf8(), added.Binary());
+        GlbContainer.Write(destination, json.Utf8, added.Binary());
     }
 
     private static void Require(SkinnedModel model, IReadOnlyList<IClip> clips)
