@@ -1,3 +1,4 @@
+using System;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
 using CreatureGen.Maths;
@@ -17,7 +18,7 @@ internal static class BodyBlender
     /// <summary>How far a station belongs to the tail: the rump goes over to the torso.</summary>
     private static readonly double[] tailness = { 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.25, 0.6, 1, 1, 1 };
 
-    /// <summary>The stations of the mixed body.</summary>
+    /// <summary>The stations of the mixed body, whatever its posture.</summary>
     public static BodyStations Blend(BodyBlueprint body)
     {
         ValueList<MixedBody> parts = body.Blend.Bodies;
@@ -39,28 +40,42 @@ internal static class BodyBlender
         for (int i = 0; i < BodyGrid.StationCount; i++)
         {
             BodyTable first = tables[0];
-            (double length, double pitch, double width, double top, double bottom) = (first.Length[i], first.Pitch[i], first.LogWidth[i], first.LogTop[i], first.LogBottom[i]);
+            (double length, double width, double top, double bottom) = (first.Length[i], first.LogWidth[i], first.LogTop[i], first.LogBottom[i]);
             for (int k = 1; k < tables.Length; k++)
             {
                 double weight = WeightAt(i, parts[k]);
                 BodyTable next = tables[k];
                 length = Scalar.Lerp(length, next.Length[i], weight);
-                pitch = Scalar.Lerp(pitch, next.Pitch[i], weight);
                 width = Scalar.Lerp(width, next.LogWidth[i], weight);
                 top = Scalar.Lerp(top, next.LogTop[i], weight);
                 bottom = Scalar.Lerp(bottom, next.LogBottom[i], weight);
             }
 
             s.Length[i] = length;
-            s.Pitch[i] = pitch;
             s.Width[i] = PortableMath.Exp(width);
             s.Top[i] = PortableMath.Exp(top);
             s.Bottom[i] = PortableMath.Exp(bottom);
         }
 
         ApplyProportions(s, body.Proportions);
-        ApplyPosture(s, body.Posture);
         return s;
+    }
+
+    /// <summary>The pitch of the mixed body's spine at its stations in its posture, radians; no proportion changes it.</summary>
+    public static void Pitch(BodyBlueprint body, Span<double> pitch)
+    {
+        ValueList<MixedBody> parts = body.Blend.Bodies;
+        SpeciesCatalogue.Find(parts[0].Name).Table.Pitch.CopyTo(pitch);
+        for (int k = 1; k < parts.Count; k++)
+        {
+            double[] next = SpeciesCatalogue.Find(parts[k].Name).Table.Pitch;
+            for (int i = 0; i < BodyGrid.StationCount; i++)
+            {
+                pitch[i] = Scalar.Lerp(pitch[i], next[i], WeightAt(i, parts[k]));
+            }
+        }
+
+        ApplyPosture(pitch, body.Posture);
     }
 
     /// <summary>The weight of a body at a station.</summary>
@@ -96,7 +111,7 @@ internal static class BodyBlender
         }
     }
 
-    private static void ApplyPosture(BodyStations s, BodyPosture p)
+    private static void ApplyPosture(Span<double> pitch, BodyPosture p)
     {
         for (int i = 0; i < BodyGrid.StationCount; i++)
         {
@@ -107,7 +122,7 @@ internal static class BodyBlender
             // The neck bends from its base up to the nape; the head turns back by three quarters, so that it looks ahead.
             double neckBend = ring >= 24 ? 0 : ring >= StationRing.Nape ? (24 - ring) / 8.0 : 0.25;
             double tailBend = ring <= StationRing.Pelvis ? 0 : (ring - StationRing.Pelvis) / 12.0;
-            s.Pitch[i] += (i <= 5 ? p.Head : 0)
+            pitch[i] += (i <= 5 ? p.Head : 0)
                 + (neck * p.Neck)
                 + (i is >= 9 and <= 12 ? p.Torso : 0)
                 + (tail * p.Tail)
@@ -135,12 +150,10 @@ internal static class BodyBlender
     }
 }
 
-/// <summary>A body as numbers at stations, on its way from the base bodies to the rings. Metres and radians.</summary>
+/// <summary>A body as numbers at stations, on its way from the base bodies to the rings. Metres.</summary>
 internal sealed class BodyStations
 {
     public double[] Length { get; } = new double[BodyGrid.StationCount];
-
-    public double[] Pitch { get; } = new double[BodyGrid.StationCount];
 
     public double[] Width { get; } = new double[BodyGrid.StationCount];
 

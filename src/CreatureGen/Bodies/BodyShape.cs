@@ -13,12 +13,14 @@ internal sealed class BodyShape
     private readonly float[] sine;
     private readonly float[] cosine;
 
-    /// <summary>Takes the pitch of the spine at each ring, radians.</summary>
-    public BodyShape(double[] pitch)
+    /// <summary>A straight and level spine without length or thickness.</summary>
+    public BodyShape()
     {
         sine = new float[BodyGrid.Rings];
         cosine = new float[BodyGrid.Rings];
-        Pitch = pitch;
+        Array.Fill(cosine, 1f);
+        Pitch = new double[BodyGrid.Rings];
+        Rise = new double[BodyGrid.Rings];
         Width = new double[BodyGrid.Rings];
         Top = new double[BodyGrid.Rings];
         Bottom = new double[BodyGrid.Rings];
@@ -26,20 +28,15 @@ internal sealed class BodyShape
         BottomExponent = new double[BodyGrid.Rings];
         Step = new double[BodyGrid.Rings];
         Arc = new double[BodyGrid.Rings];
-        Rise = new double[BodyGrid.Rings];
-        for (int i = 0; i < BodyGrid.Rings; i++)
-        {
-            sine[i] = (float)PortableMath.Sin(pitch[i]);
-            cosine[i] = (float)PortableMath.Cos(pitch[i]);
-        }
     }
 
-    /// <summary>The same body in another place: all but <see cref="Y"/> and <see cref="Z"/> is shared with it.</summary>
-    private BodyShape(BodyShape same)
+    /// <summary>The same sections, which are shared, along another spine.</summary>
+    private BodyShape(BodyShape same, float[] sine, float[] cosine, double[] pitch, double[] rise)
     {
-        sine = same.sine;
-        cosine = same.cosine;
-        Pitch = same.Pitch;
+        this.sine = sine;
+        this.cosine = cosine;
+        Pitch = pitch;
+        Rise = rise;
         Width = same.Width;
         Top = same.Top;
         Bottom = same.Bottom;
@@ -47,7 +44,6 @@ internal sealed class BodyShape
         BottomExponent = same.BottomExponent;
         Step = same.Step;
         Arc = same.Arc;
-        Rise = same.Rise;
     }
 
     /// <summary>Height of the spine.</summary>
@@ -86,9 +82,22 @@ internal sealed class BodyShape
     /// <summary>The shape with other heights of its spine, which are still to be set.</summary>
     public BodyShape WithOtherHeights()
     {
-        var other = new BodyShape(this);
+        var other = new BodyShape(this, sine, cosine, Pitch, Rise);
         Z.CopyTo(other.Z, 0);
         return other;
+    }
+
+    /// <summary>The shape along another spine, which is still to be bent.</summary>
+    public BodyShape WithOtherBends() => new(this, new float[BodyGrid.Rings], new float[BodyGrid.Rings], new double[BodyGrid.Rings], new double[BodyGrid.Rings]);
+
+    /// <summary>Turns the sections across the spine, once its <see cref="Pitch"/> is set.</summary>
+    public void TurnSections()
+    {
+        for (int i = 0; i < BodyGrid.Rings; i++)
+        {
+            sine[i] = (float)PortableMath.Sin(Pitch[i]);
+            cosine[i] = (float)PortableMath.Cos(Pitch[i]);
+        }
     }
 
     /// <summary>Unit forward direction of the spine at a ring.</summary>

@@ -41,41 +41,31 @@ internal static class BodyShaper
         }
 
         Span<double> arc = stackalloc double[BodyGrid.Rings];
-        Span<double> step = stackalloc double[BodyGrid.Rings];
-        double[] pitch = new double[BodyGrid.Rings];
-        double[] width = new double[BodyGrid.Rings];
-        double[] top = new double[BodyGrid.Rings];
-        double[] bottom = new double[BodyGrid.Rings];
+        var shape = new BodyShape();
         Interpolate(cumulative, arc);
-        Interpolate(stations.Pitch, pitch);
-        Interpolate(stations.Width, width);
-        Interpolate(stations.Top, top);
-        Interpolate(stations.Bottom, bottom);
-        ApplyLattice(body, arc, step, width, top, bottom);
-        ApplyDepth(body.Proportions, width, top, bottom);
-        Divide(body.Annuli, width, top, bottom);
-        TailShaper.Shape(tail, step, width, top, bottom);
-
-        for (int i = 0; i < BodyGrid.Rings; i++)
-        {
-            pitch[i] += body.Posture.Trunk * Scalar.Smooth((i - 12) / 8.0);
-        }
-
-        Smooth(pitch);
-        LimitCurvature(pitch, step, top, bottom, IsFinned(tail.Style) || tail.Style == TailStyle.Feathers ? TailOutline : 0);
-        for (int i = 0; i < BodyGrid.Rings; i++)
-        {
-            pitch[i] *= 1 - Lying(plan, i);
-        }
-
-        var shape = new BodyShape(pitch);
-        width.CopyTo(shape.Width, 0);
-        top.CopyTo(shape.Top, 0);
-        bottom.CopyTo(shape.Bottom, 0);
-        LaySpine(shape, step);
-        SetHeights(shape, plan, body.Elevation);
+        Interpolate(stations.Width, shape.Width);
+        Interpolate(stations.Top, shape.Top);
+        Interpolate(stations.Bottom, shape.Bottom);
+        ApplyLattice(body, arc, shape.Step, shape.Width, shape.Top, shape.Bottom);
+        ApplyDepth(body.Proportions, shape.Width, shape.Top, shape.Bottom);
+        Divide(body.Annuli, shape.Width, shape.Top, shape.Bottom);
+        TailShaper.Shape(tail, shape.Step, shape.Width, shape.Top, shape.Bottom);
         SetExponents(shape, stations, head, tail);
+        for (int i = 1; i < BodyGrid.Rings; i++)
+        {
+            shape.Arc[i] = shape.Arc[i - 1] + shape.Step[i];
+        }
+
+        Bend(shape, plan, body, tail);
         return shape;
+    }
+
+    /// <summary>What <see cref="Shape"/> gives for the same body in another posture, for a third of its cost.</summary>
+    public static BodyShape Bent(BodyShape shape, BodyPlan plan, BodyBlueprint body, TailBlueprint tail)
+    {
+        BodyShape bent = shape.WithOtherBends();
+        Bend(bent, plan, body, tail);
+        return bent;
     }
 
     /// <summary>What <see cref="Shape"/> gives for the same body at another elevation, for a fortieth of its cost.</summary>
@@ -88,6 +78,30 @@ internal static class BodyShaper
 
     /// <summary>How far a ring of a legless body lies on the ground, 0..1.</summary>
     public static double Lying(BodyPlan plan, int ring) => plan == BodyPlan.Legless ? Scalar.Smooth((ring - 21) / 7.0) : 0;
+
+    /// <summary>Lays sections along the spine as the posture bends it.</summary>
+    private static void Bend(BodyShape shape, BodyPlan plan, BodyBlueprint body, TailBlueprint tail)
+    {
+        double[] pitch = shape.Pitch;
+        Span<double> stations = stackalloc double[BodyGrid.StationCount];
+        BodyBlender.Pitch(body, stations);
+        Interpolate(stations, pitch);
+        for (int i = 0; i < BodyGrid.Rings; i++)
+        {
+            pitch[i] += body.Posture.Trunk * Scalar.Smooth((i - 12) / 8.0);
+        }
+
+        Smooth(pitch);
+        LimitCurvature(pitch, shape.Step, shape.Top, shape.Bottom, IsFinned(tail.Style) || tail.Style == TailStyle.Feathers ? TailOutline : 0);
+        for (int i = 0; i < BodyGrid.Rings; i++)
+        {
+            pitch[i] *= 1 - Lying(plan, i);
+        }
+
+        shape.TurnSections();
+        LaySpine(shape);
+        SetHeights(shape, plan, body.Elevation);
+    }
 
     private static void Interpolate(ReadOnlySpan<double> stations, Span<double> rings)
     {
@@ -247,15 +261,13 @@ internal static class BodyShaper
         }
     }
 
-    private static void LaySpine(BodyShape shape, ReadOnlySpan<double> step)
+    private static void LaySpine(BodyShape shape)
     {
         for (int i = 1; i < BodyGrid.Rings; i++)
         {
             double p = (shape.Pitch[i] + shape.Pitch[i - 1]) / 2;
-            shape.Step[i] = step[i];
-            shape.Arc[i] = shape.Arc[i - 1] + step[i];
-            shape.Rise[i] = shape.Rise[i - 1] - (step[i] * PortableMath.Sin(p));
-            shape.Z[i] = shape.Z[i - 1] - (step[i] * PortableMath.Cos(p));
+            shape.Rise[i] = shape.Rise[i - 1] - (shape.Step[i] * PortableMath.Sin(p));
+            shape.Z[i] = shape.Z[i - 1] - (shape.Step[i] * PortableMath.Cos(p));
         }
 
         double z = shape.Z[BodyGrid.AnchorRing];

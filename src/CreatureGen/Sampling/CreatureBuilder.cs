@@ -78,7 +78,7 @@ internal sealed class CreatureBuilder
     public BodyBlueprint Body => new(Blend, Proportions, Posture, Slices, Elevation, Shell, Species.Annuli, Disc);
 
     /// <summary>The body as it stands, its head still without a face.</summary>
-    public BodyShape Shape { get; set; } = new(new double[BodyGrid.Rings]);
+    public BodyShape Shape { get; set; } = new();
 
     /// <summary>The body that was shaped last, at elevation 0, and its shape: what is asked for again is not shaped again.</summary>
     public (BodyPlan Plan, BodyBlueprint Body, TailBlueprint Tail, BodyShape Shape)? Shaped { get; set; }

@@ -16,7 +16,7 @@ internal static class StraightSkin
     /// <summary>The body, with nothing that a coat has to know of.</summary>
     public static CoatSubject Subject()
     {
-        var body = new BodyShape(new double[BodyGrid.Rings]);
+        var body = new BodyShape();
         for (int i = 0; i < BodyGrid.Rings; i++)
         {
             body.Y[i] = 1;
