@@ -112,9 +112,6 @@ internal sealed class JsonWriter : IDisposable
         }
     }
 
-    /// <summary>A copy of the finished text in UTF-8, without a byte order mark.</summary>
-    public byte[] ToUtf8() => Utf8.ToArray();
-
     /// <summary>Writes the finished text to a stream in UTF-8, without a byte order mark.</summary>
     public void CopyTo(Stream stream)
     {

@@ -25,7 +25,7 @@ public sealed class JsonRoundTripTests
                 return;
             }
 
-            byte[] json = new JsonWriter(JsonLayout.Line).BeginObject().Name(text).Text(text).EndObject().ToUtf8();
+            byte[] json = new JsonWriter(JsonLayout.Line).BeginObject().Name(text).Text(text).EndObject().Utf8.ToArray();
             JsonMember member = Assert.Single(JsonReader.Read(json, JsonLimits.Document).Root!.Members);
             Assert.Equal(text, member.Name);
             Assert.Equal(text, member.Value.Text);
@@ -37,7 +37,7 @@ public sealed class JsonRoundTripTests
     {
         Check.One(Thorough, Prop.ForAll<NormalFloat>(number =>
         {
-            byte[] json = new JsonWriter(JsonLayout.Compact).BeginArray().Number(number.Get).EndArray().ToUtf8();
+            byte[] json = new JsonWriter(JsonLayout.Compact).BeginArray().Number(number.Get).EndArray().Utf8.ToArray();
             Assert.Equal(number.Get, JsonReader.Read(json, JsonLimits.Document).Root![0].Number);
         }));
     }
@@ -61,12 +61,12 @@ public sealed class JsonRoundTripTests
             JsonLayout layout = (JsonLayout)random.Integer(0, 3);
             var writer = new JsonWriter(layout);
             WriteTree(writer, random, 0);
-            byte[] json = writer.ToUtf8();
+            byte[] json = writer.Utf8.ToArray();
             JsonReading reading = JsonReader.Read(json, JsonLimits.Document);
             Assert.Empty(reading.Problems);
             var again = new JsonWriter(layout);
             Copy(reading.Root!, again);
-            Assert.Equal(json, again.ToUtf8());
+            Assert.Equal(json, again.Utf8.ToArray());
         }
     }
 

@@ -71,7 +71,7 @@ public sealed class JsonWriterTests
     {
         JsonWriter writer = new JsonWriter(JsonLayout.Compact).BeginArray().Text("é🦊").Number(0.1f).EndArray();
         byte[] expected = Encoding.UTF8.GetBytes("[\"é🦊\",0.1]");
-        Assert.Equal(expected, writer.ToUtf8());
+        Assert.Equal(expected, writer.Utf8.ToArray());
         var stream = new MemoryStream();
         writer.CopyTo(stream);
         Assert.Equal(expected, stream.ToArray());
@@ -95,8 +95,8 @@ public sealed class JsonWriterTests
         Assert.Throws<InvalidOperationException>(() => Writer().BeginObject().EndArray());
         Assert.Throws<InvalidOperationException>(() => Writer().EndArray());
         Assert.Throws<InvalidOperationException>(() => Writer().Number(1).Number(2));
-        Assert.Throws<InvalidOperationException>(() => Writer().BeginObject().ToUtf8());
-        Assert.Throws<InvalidOperationException>(() => Writer().ToUtf8());
+        Assert.Throws<InvalidOperationException>(() => Writer().BeginObject().Utf8.ToArray());
+        Assert.Throws<InvalidOperationException>(() => Writer().Utf8.ToArray());
         Assert.Throws<ArgumentNullException>(() => Writer().Text(null!));
     }
 
@@ -115,7 +115,7 @@ public sealed class JsonWriterTests
             writer.EndArray();
         }
 
-        Assert.Empty(JsonReader.Read(writer.ToUtf8(), JsonLimits.Document).Problems);
+        Assert.Empty(JsonReader.Read(writer.Utf8.ToArray(), JsonLimits.Document).Problems);
     }
 
     private static JsonWriter Writer() => new(JsonLayout.Compact);
