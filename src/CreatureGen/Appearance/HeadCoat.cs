@@ -1,6 +1,7 @@
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
 using CreatureGen.Geometry;
 using CreatureGen.Maths;
 
@@ -29,6 +30,9 @@ internal sealed class HeadCoat
     /// <summary>Lips of a dark face, relative to what is pale in it.</summary>
     private const float PaleLip = 0.7f;
 
+    /// <summary>How far back the leather of a nose may reach over its bridge, relative to the nostrils.</summary>
+    private const double LeatherEnd = 0.9;
+
     private readonly CoatPalette palette;
     private readonly CoatSubject subject;
     private readonly Vector3 markColour;
@@ -37,11 +41,13 @@ internal sealed class HeadCoat
     private readonly Vector3 beakColour;
     private readonly Vector3 paleColour;
     private readonly float dark;
+    private readonly NosePad leather;
 
     public HeadCoat(CoatPalette palette, CoatSubject subject, CoatBlueprint coat)
     {
         this.palette = palette;
         this.subject = subject;
+        leather = new NosePad(subject.Body);
         int patternSeed = coat.PatternSeed;
         float mark = CoatChoice.Of(patternSeed, CoatChoice.MarkColour);
 
@@ -116,11 +122,8 @@ internal sealed class HeadCoat
             return Vec.Lerp(colour, muzzleColour, PalePatch * dark * patch);
         }
 
-        float dorsal = 1f - (2f * place.Ventral);
         colour = Vec.Lerp(colour, muzzleColour, Scalar.Lerp(0.55f, PalePatch, dark) * patch);
-        float nose = place.Region == SurfaceRegion.Nose ? Scalar.Smooth((dorsal + 0.2f) / 0.3f)
-            : place.Arc < 0.9 * arc[1] ? Scalar.Smooth((dorsal + 0.15f) / 0.12f)
-            : 0f;
+        float nose = place.Region == SurfaceRegion.Nose || place.Arc < LeatherEnd * arc[1] ? leather.At(place.Position) : 0f;
         return Vec.Lerp(colour, palette.Muzzle, 0.92f * nose);
     }
 }

@@ -94,27 +94,13 @@ internal sealed class FeatureSetter
 
     private void AddNostrils()
     {
-        double size = blueprint.Head.NostrilSize;
-        if (size == 0)
+        if (blueprint.Head.NostrilSize == 0)
         {
             return;
         }
 
-        BodyShape shape = grown.Skin.Shape;
-        bool leather = blueprint.Head.MuzzleSquareness > 2.5;
-        SurfacePoint at = grown.Skin.At(leather ? 0.25 : face.Snout == SnoutKind.Beak ? 3.5 : 1.2, leather ? 5.4 : 4.6);
-        if (leather)
-        {
-            // On the front of the nose, not on its bridge.
-            Vector3 forward = shape.Forward(StationRing.Nose);
-            Vector3 normal = Vec.Normalize((at.Normal * 0.5f) + (forward * 0.85f));
-            Vector3 p = at.Position + (forward * (float)(shape.Width[StationRing.Nose] * 0.22));
-            at = new SurfacePoint(new Vector3(p.X * 0.62f, p.Y, p.Z), normal);
-        }
-
         builder.Clear();
-        NostrilShape.Append(builder, at, shape.Up(StationRing.Nostrils), (float)(shape.Width[StationRing.Nostrils] * size * 0.8), leather ? palette.Muzzle : palette.Base);
-        builder.AppendMirrored(0, 0);
+        NostrilSetter.Append(builder, blueprint, grown, palette);
         AddRigid("Head");
     }
 

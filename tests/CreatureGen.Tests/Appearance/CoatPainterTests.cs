@@ -125,7 +125,7 @@ public sealed class CoatPainterTests
         CoatSubject subject = Subject();
         subject.Snout = SnoutKind.Leather;
         var front = new Vector3(0.02f, 1.02f, 1.2f);
-        Vector3 nose = new CoatPainter(tabby, subject).At(Address(SurfaceRegion.Nose, 0, 4), front, Vector3.UnitZ);
+        Vector3 nose = new CoatPainter(tabby, subject).At(Address(SurfaceRegion.Nose, 0, 4), new NosePad(subject.Body).Centre, Vector3.UnitZ);
         Assert.True(Distance(nose, OklchColour.ToLinearRgb(tabby.Muzzle)) < 0.06f);
         subject.Snout = SnoutKind.Beak;
         CoatBlueprint bird = tabby with { Muzzle = new(0.72, 0.15, 1.1) };

@@ -45,6 +45,31 @@ public sealed class FacePlanesTests
         }
     }
 
+    [Fact]
+    public void The_front_of_a_mixed_swimmers_muzzle_is_narrower_than_its_face_by_a_quarter()
+    {
+        int broad = 0;
+        for (ulong seed = 10320001; seed <= 10320150; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = RequestedKind.Swimming });
+            SpeciesProfile face = SpeciesCatalogue.Find(creature.Body.Blend.Face);
+            if (face.Snout == SnoutKind.Beak || face.Class == AnimalClass.Arthropod)
+            {
+                continue;
+            }
+
+            BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
+            BodySkin skin = BodySkin.Span(shape, creature);
+            double breadth = Breadth(skin, 2) / System.Math.Max(Breadth(skin, 10), Breadth(skin, 13));
+            broad += shape.Width[2] > 0.7 * System.Math.Max(shape.Width[10], shape.Width[13]) ? 1 : 0;
+            Assert.True(breadth < 0.75, System.FormattableString.Invariant($"{seed}: {breadth:0.00}"));
+        }
+
+        Assert.NotEqual(0, broad);
+    }
+
+    private static double Breadth(BodySkin skin, int ring) => Enumerable.Range(0, BodyGrid.Segments).Max(segment => skin[ring, segment].X);
+
     /// <summary>How far the middle of the top of the muzzle rises above the skin beside it, in heights of the section.</summary>
     private static double Relief(BodySkin skin, BodyShape shape) =>
         System.Numerics.Vector3.Dot(skin[7, 0] - skin[7, 3], shape.Up(7)) / shape.Top[7];

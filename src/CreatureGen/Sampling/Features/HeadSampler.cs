@@ -46,11 +46,19 @@ internal static class HeadSampler
     /// <summary>Highest ridge of the brow on a strange head, relative to its section: a higher one is a corner of a box.</summary>
     private const double HighestBrow = 0.12;
 
+    // Broadest front of a swimmer's muzzle against its head, and most that it is drawn in by: what comes head first is seen over its muzzle, and a broader one is all of its face.
+    private const double Muzzle = 0.58;
+    private const double DrawnIn = 0.3;
+
     /// <summary>Mean of half the width and half the height of a head at the eyes, metres.</summary>
     public static double HalfHeight(BodyShape shape) => 0.5 * (shape.Width[StationRing.Brow] + (0.5 * (shape.Top[StationRing.Brow] + shape.Bottom[StationRing.Brow])));
 
     /// <summary>Width of a head at the eyes in heights.</summary>
     private static double Breadth(BodyShape shape) => 2 * shape.Width[StationRing.Brow] / (shape.Top[StationRing.Brow] + shape.Bottom[StationRing.Brow]);
+
+    /// <summary>Width of the front of the muzzle against the widest of the head.</summary>
+    private static double MuzzleBreadth(BodyShape shape) =>
+        Math.Max(shape.Width[StationRing.MuzzleFront], shape.Width[StationRing.MuzzleMiddle]) / Math.Max(shape.Width[StationRing.Brow], shape.Width[StationRing.Cranium]);
 
     /// <summary>Radius of the largest eyes that a head has room for, metres.</summary>
     public static double LargestEye(CreatureBuilder builder)
@@ -136,6 +144,7 @@ internal static class HeadSampler
             Add(6, 0, 3.2, 1.5, Bridge * board);
             Add(7, 3.2, 2.2, 1.3, -Hollow * board);
             Add(6.2, 7.6, 2, 1.3, -Hollow * board);
+            Add(3, 8, 2.4, 16, -fitting * Scalar.Clamp(1 - (Muzzle / MuzzleBreadth(builder.Shape)), 0, DrawnIn));
         }
 
         if (species.Snout == SnoutKind.Beak)
