@@ -20,6 +20,10 @@ internal static class TailShaper
     private const double LongestFluke = 1.1;
     private const double FlukeBend = 0.45;
 
+    /// <summary>Half thickness of a fan of feathers over their quills, metres, and the ring from which on it runs out to an edge: as thick to its end it is sawn off.</summary>
+    private const double Quills = 0.017;
+    private const int FanThins = 48;
+
     /// <summary>Gives the rings of the tail the sections of its style.</summary>
     /// <param name="tail">The end of the tail.</param>
     /// <param name="step">Metres along the spine from the ring before to each ring.</param>
@@ -63,8 +67,9 @@ internal static class TailShaper
                 {
                     double q = Scalar.Smooth((i - 45) / 8.0);
                     width[i] = (width[i] * (1 - q)) + (tail.Size * PortableMath.Pow(q, 0.8));
-                    top[i] = (top[i] * (1 - q)) + (0.017 * q);
-                    bottom[i] = (bottom[i] * (1 - q)) + (0.017 * q);
+                    double vane = Scalar.Lerp(Quills, BodyShaper.ThinnestSection, Scalar.Smooth((i - FanThins) / (double)(BodyGrid.Rings - 1 - FanThins)));
+                    top[i] = (top[i] * (1 - q)) + (vane * q);
+                    bottom[i] = (bottom[i] * (1 - q)) + (vane * q);
                 }
 
                 break;

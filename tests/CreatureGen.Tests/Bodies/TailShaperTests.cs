@@ -1,3 +1,4 @@
+using System;
 using System.Linq;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
@@ -30,6 +31,14 @@ public sealed class TailShaperTests
     [Fact]
     public void A_lance_takes_all_of_its_tail_however_long_that_is() =>
         Assert.Equal(Heights(TailStyle.Lance, ShortStep), Heights(TailStyle.Lance, LongStep));
+
+    [Fact]
+    public void A_fan_of_feathers_runs_out_to_an_edge()
+    {
+        double[] heights = Heights(TailStyle.Feathers, ShortStep);
+        Assert.True(heights[Last] < 0.45 * heights[StationRing.TailThird], FormattableString.Invariant($"{heights[Last]} of {heights[StationRing.TailThird]} m"));
+        Assert.All(Enumerable.Range(StationRing.TailFirst, Last - StationRing.TailFirst), ring => Assert.True(heights[ring + 1] <= heights[ring]));
+    }
 
     /// <summary>Heights above the spine of a tail with an even stalk, metres.</summary>
     private static double[] Heights(TailStyle style, double step)

@@ -109,6 +109,54 @@ public sealed class TailFitTests
     }
 
     [Fact]
+    public void A_bare_tail_behind_legs_is_slender_and_is_seen_from_behind()
+    {
+        int tails = 0;
+        for (ulong seed = 10772001; seed <= 10772080; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking });
+            bool above = creature.Plan is BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar or BodyPlan.Centaur;
+            bool haired = creature.Manes.Any(mane => mane.Ring >= StationRing.TorsoLast);
+            if (!above || haired || creature.Tail.Style is not (TailStyle.Plain or TailStyle.Saurian or TailStyle.Whip))
+            {
+                continue;
+            }
+
+            tails++;
+            BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
+            double length = shape.Arc[StationRing.TailTip] - shape.Arc[StationRing.TorsoLast];
+            double root = Math.Sqrt(shape.Width[StationRing.TailStem] * 0.5 * (shape.Top[StationRing.TailStem] + shape.Bottom[StationRing.TailStem]));
+            double down = shape.Y[StationRing.TorsoLast] - shape.Y[StationRing.TailTip];
+            double back = shape.Z[StationRing.TorsoLast] - shape.Z[StationRing.TailTip];
+            Assert.True(length > 9 * root, FormattableString.Invariant($"{seed}: {length / root:0.0} radii"));
+            Assert.True(Math.Abs(down) > 0.2 * back, FormattableString.Invariant($"{seed}: comes down by {down / back:0.00} of what it goes back"));
+        }
+
+        Assert.InRange(tails, 8, 80);
+    }
+
+    [Fact]
+    public void The_abdomen_of_a_mixed_insect_does_not_turn_down_at_its_end()
+    {
+        int abdomens = 0;
+        for (ulong seed = 10772001; seed <= 10772080; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = RequestedKind.Flying });
+            if (SpeciesCatalogue.Find(creature.Body.Blend.Bodies[0].Name).Class != AnimalClass.Arthropod || creature.Tail.Style != TailStyle.Plain)
+            {
+                continue;
+            }
+
+            abdomens++;
+            BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
+            double end = 180 / Math.PI * shape.Pitch[StationRing.TailTip];
+            Assert.True(end < 35, FormattableString.Invariant($"{seed}: {end:0} degrees"));
+        }
+
+        Assert.InRange(abdomens, 8, 80);
+    }
+
+    [Fact]
     public void A_sting_is_no_longer_than_a_quarter_of_its_tail()
     {
         int stings = 0;

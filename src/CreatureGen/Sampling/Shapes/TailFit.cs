@@ -15,18 +15,30 @@ internal static class TailFit
     /// <summary>Largest tail against its trunk, each at its largest section.</summary>
     private const double Size = 0.8;
 
-    /// <summary>Largest root of a tail behind legs under the body against the hips: one as thick as they are goes on as trunk, and has no rump before it.</summary>
+    // Largest root of a tail against the hips, behind legs under the body and of one that balances a body on two legs or in the air: one as thick as they are goes on as trunk, and has no rump before it.
     private const double LargestRoot = 0.5;
+    private const double LargestBalancing = 0.62;
 
     // Longest tail against the trunk: of one that is carried up, which is a rod over the back, and of all others.
     private const double Carried = 0.75;
     private const double Trailing = 1.5;
 
-    // Least length in radii of its root of a tail that rolls up, of others of a family, and of one as the tables give it that balances a body or is carried over the ground without hair on it: shorter ones are knots and pegs. They give way in girth by this part of what lacks, by the rest in length.
+    // Least length in radii of its root of a tail that rolls up, of others of a family, of one as the tables give it that balances a body, and of one that is carried over the ground without hair on it: shorter ones are knots and pegs. They give way in girth by this part of what lacks, by the rest in length.
     private const double LeastRolled = 9;
     private const double LeastTapered = 8.5;
     private const double LeastBalancing = 7.5;
+    private const double LeastCarried = 14;
     private const double Slimmed = 0.6;
+
+    // How far a bare tail behind legs under the body falls at least, and how far its tip bends back out, degrees; one that is carried higher than level by this is raised on purpose. A tail that balances a body on two legs falls less.
+    private const double HungDegrees = 34;
+    private const double TipDegrees = 22;
+    private const double HeldUpDegrees = 12;
+    private const double BalancingDegrees = 17;
+
+    // Most that an abdomen comes down, and how far its end bends back out: one that turns down at its end looks cut off there.
+    private const double AbdomenDegrees = 12;
+    private const double StraightenedDegrees = 14;
 
     // Least fall of a fan of feathers behind the rump, and rise from which on a fan is carried up as a cock's is.
     private const double FallDegrees = 18;
@@ -39,10 +51,10 @@ internal static class TailFit
     /// <summary>The same of one that flies: it may stand on two legs.</summary>
     private const double SteepestFlown = 0.7;
 
-    // Least tail of what flies and of what balances on two legs, against the trunk, that of others whose tail is of a family, and most that it is made longer by: without one the trunk ends like a block behind the legs.
+    // Least tail of what flies and of what balances on two legs, against the trunk, that of others whose tail is of a family or bare, and most that it is made longer by: without one the trunk ends like a block behind the legs.
     private const double LeastTail = 0.35;
-    private const double LeastOfFamily = 0.45;
-    private const double MostLonger = 1.8;
+    private const double LeastOfFamily = 0.5;
+    private const double MostLonger = 2.4;
 
     /// <summary>Least girth that is left of a tail.</summary>
     private const double MinGirth = 0.5;
@@ -52,6 +64,9 @@ internal static class TailFit
     private const int LastOfTrunk = 42;
     private const int FirstOfTail = 47;
     private const int LastOfTail = 54;
+
+    /// <summary>The same of an abdomen, which is to run out instead of ending in a bulge.</summary>
+    private static readonly double[] abdomen = { 1, 0.85, 0.7 };
 
     /// <summary>Girths of the last slices of a bird's tail without feathers, the tip last, relative to what its tables give.</summary>
     private static readonly double[] featherless = { 0.8, 0.6, 0.35 };
@@ -70,19 +85,20 @@ internal static class TailFit
 
         BodyShape shape = StanceSampler.ShapeOf(builder);
         double size = Largest(shape, FirstOfTail, LastOfTail) / Largest(shape, FirstOfTrunk, LastOfTrunk);
-        bool under = builder.Plan is BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar or BodyPlan.Centaur;
-        double root = under ? Largest(shape, StationRing.TailStem, StationRing.TailStem) / Largest(shape, StationRing.Pelvis, StationRing.Pelvis) : 0;
-        double excess = Math.Max(1, Math.Max(size / Size, root / LargestRoot));
+        double largest = IsAboveLegs(builder) ? LargestRoot : builder.Plan is BodyPlan.Flapping or BodyPlan.Theropod ? LargestBalancing : double.PositiveInfinity;
+        double root = Largest(shape, StationRing.TailStem, StationRing.TailStem) / Largest(shape, StationRing.Pelvis, StationRing.Pelvis);
+        double excess = Math.Max(1, Math.Max(size / Size, root / largest));
         double strange = builder.Fitting;
         double trunk = shape.Arc[StationRing.TorsoLast] - shape.Arc[StationRing.TrunkFirst];
         double length = (shape.Arc[LastOfTail] - shape.Arc[StationRing.TorsoLast]) / trunk;
         TailTaper? taper = TailTaper.Of(builder.Tail.Style);
         bool rolls = taper is { Curl: not 0 };
-        bool steers = builder.Plan is BodyPlan.Flapping or BodyPlan.Theropod && builder.Tail.Style is TailStyle.Plain or TailStyle.Saurian && builder.Parents.Tail.Class != AnimalClass.Bird;
-        bool carried = under && builder.Parents.Tail.TailHair is null;
-        double slender = rolls ? LeastRolled : taper != null ? LeastTapered : steers || carried ? LeastBalancing : 0;
+        bool steers = builder.Plan is BodyPlan.Flapping or BodyPlan.Theropod && builder.Tail.Style is TailStyle.Plain or TailStyle.Saurian
+            && (builder.Parents.Tail.Class != AnimalClass.Bird || builder.Species.Class != AnimalClass.Bird);
+        bool bare = IsBare(builder);
+        double slender = rolls ? LeastRolled : bare ? LeastCarried : taper != null ? LeastTapered : steers ? LeastBalancing : 0;
         double stubby = Math.Max(1, slender * Largest(shape, FirstOfTail, FirstOfTail) / (shape.Arc[LastOfTail] - shape.Arc[StationRing.TorsoLast]));
-        double shortest = steers ? LeastTail : taper != null && !rolls ? LeastOfFamily : 0;
+        double shortest = steers ? LeastTail : bare || (taper != null && !rolls) ? LeastOfFamily : 0;
         double longer = Math.Min(MostLonger, Math.Max(shortest / length, PortableMath.Pow(stubby, 1 - Slimmed)));
         return drawn with
         {
@@ -91,26 +107,70 @@ internal static class TailFit
         };
     }
 
-    /// <summary>The posture with a fan of feathers that falls away from the rump: level with the eye behind it a fan is a pair of lips.</summary>
+    /// <summary>The posture with a fan of feathers that falls away from the rump, for level with the eye behind it a fan is a pair of lips, with an abdomen that does not turn down at its end, and with a bare tail that falls from the croup and bends out again: a level one points at who is behind it, and is a peg.</summary>
     public static BodyPosture Lower(CreatureBuilder builder)
     {
         BodyPosture drawn = builder.Posture;
-        if (builder.Tail.Style != TailStyle.Feathers || builder.Kind != LocomotionKind.Walking)
+        if (HasAbdomen(builder))
+        {
+            double excess = Math.Max(0, Fall(builder) - Scalar.Radians(AbdomenDegrees));
+            double end = Math.Min(excess, Scalar.Radians(StraightenedDegrees));
+            return drawn with { Tail = drawn.Tail - (builder.Fitting * excess), TailBend = drawn.TailBend - (builder.Fitting * end / BodyGrid.TailBones) };
+        }
+
+        bool fan = builder.Tail.Style == TailStyle.Feathers;
+        bool balances = builder.Plan == BodyPlan.Theropod && builder.Tail.Style is TailStyle.Plain or TailStyle.Saurian;
+        if (builder.Kind != LocomotionKind.Walking || !(fan || balances || IsBare(builder)))
         {
             return drawn;
         }
 
-        BodyShape shape = StanceSampler.ShapeOf(builder);
-        double fall = PortableMath.Atan2(shape.Y[StationRing.TorsoLast] - shape.Y[LastOfTail], shape.Z[StationRing.TorsoLast] - shape.Z[LastOfTail]);
-        bool raised = fall < -Scalar.Radians(RaisedDegrees);
-        return raised ? drawn : drawn with { Tail = drawn.Tail + Math.Max(0, Scalar.Radians(FallDegrees) - fall) };
+        double fall = Fall(builder);
+        if (fall < -Scalar.Radians(fan ? RaisedDegrees : HeldUpDegrees))
+        {
+            return drawn;
+        }
+
+        if (fan)
+        {
+            return drawn with { Tail = drawn.Tail + Math.Max(0, Scalar.Radians(FallDegrees) - fall) };
+        }
+
+        double hung = Scalar.Radians(balances ? BalancingDegrees : HungDegrees);
+        double tip = builder.Fitting * Scalar.Radians(TipDegrees) * hung / Scalar.Radians(HungDegrees);
+        double lower = builder.Fitting * Math.Max(0, hung - fall);
+        return drawn with { Tail = drawn.Tail + lower + (0.5 * tip), TailBend = drawn.TailBend - (tip / BodyGrid.TailBones) };
     }
 
-    /// <summary>The slices with a point at the end of a bird's tail that wears no feathers, whose tables are made for a fan and end like a sawn log without one, and of a swimmer's, whose fin comes later.</summary>
+    /// <summary>How far the tail comes down from the rump, radians.</summary>
+    private static double Fall(CreatureBuilder builder)
+    {
+        BodyShape shape = StanceSampler.ShapeOf(builder);
+        return PortableMath.Atan2(shape.Y[StationRing.TorsoLast] - shape.Y[LastOfTail], shape.Z[StationRing.TorsoLast] - shape.Z[LastOfTail]);
+    }
+
+    /// <summary>Whether the body ends in an insect's abdomen.</summary>
+    private static bool HasAbdomen(CreatureBuilder builder) =>
+        builder.Species.Class == AnimalClass.Arthropod && builder.Tail.Style == TailStyle.Plain && builder.Plan is BodyPlan.Buzzing or BodyPlan.Hexapod or BodyPlan.Flapping;
+
+    /// <summary>Whether legs stand under the body, with the tail behind them.</summary>
+    private static bool IsAboveLegs(CreatureBuilder builder) =>
+        builder.Plan is BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar or BodyPlan.Centaur;
+
+    /// <summary>Whether a tail behind legs under the body is neither rolled up nor armed, and wears no hair.</summary>
+    private static bool IsBare(CreatureBuilder builder)
+    {
+        bool haired = builder.Parents.Tail.TailHair is not null && builder.Tail.Style == TailStyle.Plain
+            && (builder.Parents.Skin.Cover == SkinCover.Fur || builder.Parents.Skin == builder.Parents.Tail);
+        return IsAboveLegs(builder) && !haired && builder.Tail.Style is TailStyle.Plain or TailStyle.Saurian or TailStyle.Whip;
+    }
+
+    /// <summary>The slices with a point at the end of a bird's tail that wears no feathers, whose tables are made for a fan and end like a sawn log without one, of an abdomen, and of a swimmer's, whose fin comes later.</summary>
     public static ValueList<LatticeSlice> Point(CreatureBuilder builder, ValueList<LatticeSlice> drawn)
     {
         bool swims = builder.Kind == LocomotionKind.Swimming && builder.Species.Disc.Sweep == 0;
-        if (!swims && (builder.Parents.Tail.Class != AnimalClass.Bird || builder.Tail.Style != TailStyle.Plain))
+        bool insect = HasAbdomen(builder);
+        if (!swims && !insect && (builder.Parents.Tail.Class != AnimalClass.Bird || builder.Tail.Style != TailStyle.Plain))
         {
             return drawn;
         }
@@ -119,7 +179,7 @@ internal static class TailFit
         int first = slices.Length - featherless.Length;
         for (int i = first; i < slices.Length; i++)
         {
-            double girth = Scalar.Lerp(1, swims ? finless[i - first] : featherless[i - first], builder.Fitting);
+            double girth = Scalar.Lerp(1, (swims ? finless : insect ? abdomen : featherless)[i - first], builder.Fitting);
             slices[i] = slices[i] with { Width = girth * slices[i].Width, Height = girth * slices[i].Height };
         }
 
@@ -131,7 +191,7 @@ internal static class TailFit
     {
         const int End = BodyGrid.Rings - 1;
         BodyShape s = builder.Shape;
-        bool stands = builder.Plan is BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar or BodyPlan.Centaur or BodyPlan.Upright && builder.Parents.Legs.Legs is null;
+        bool stands = IsAboveLegs(builder) || (builder.Plan == BodyPlan.Upright && builder.Parents.Legs.Legs is null);
         double down = s.Y[StationRing.TorsoLast] - s.Y[End];
         double back = s.Z[StationRing.TorsoLast] - s.Z[End];
         bool balances = builder.Plan == BodyPlan.Theropod && builder.Species.Class != AnimalClass.Bird && builder.Tail.Style != TailStyle.Feathers;
