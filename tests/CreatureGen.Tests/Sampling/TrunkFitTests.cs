@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using CreatureGen.Anatomy;
 using CreatureGen.Anatomy.Tails;
 using CreatureGen.Blueprints;
@@ -39,6 +40,32 @@ public sealed class TrunkFitTests
             double hips = Size(shape, StationRing.Pelvis) / Size(shape, StationRing.Belly);
             Assert.True(creature.Body.Disc.Sweep != 0 || hips <= Hips, FormattableString.Invariant($"{seed}: hips of {hips:0.00} bellies"));
         }
+    }
+
+    [Theory]
+    [InlineData(0.6)]
+    [InlineData(1)]
+    public void What_lies_is_a_rope_and_its_head_is_no_broader_than_it_by_a_fifth(double strangeness)
+    {
+        int ropes = 0;
+        for (ulong seed = 10773001; seed <= 10773300; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking, Strangeness = strangeness });
+            if (creature.Plan != BodyPlan.Legless)
+            {
+                continue;
+            }
+
+            ropes++;
+            BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
+            double thickest = Enumerable.Range(StationRing.NeckBase, StationRing.Pelvis - StationRing.NeckBase + 1).Max(ring => 2 * Size(shape, ring));
+            double length = (shape.Arc[StationRing.TailTip] - shape.Arc[StationRing.NeckBase]) / thickest;
+            Assert.True(length > 9, FormattableString.Invariant($"{seed}: {length:0.0} times as long as thick"));
+            double head = shape.Width.Take(StationRing.Nape).Max() / shape.Width.Skip(StationRing.NeckBase).Take(StationRing.Pelvis - StationRing.NeckBase).Max();
+            Assert.True(head < 1.2, FormattableString.Invariant($"{seed}: a head of {head:0.00} trunks' breadth"));
+        }
+
+        Assert.InRange(ropes, 4, 100);
     }
 
     [Theory]

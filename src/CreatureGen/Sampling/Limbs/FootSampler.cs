@@ -29,8 +29,10 @@ internal static class FootSampler
         FootStyle own = CreatureBuilder.Choose(random, legs.Feet ?? OfClass(legs.Class));
         FootStyle other = CreatureBuilder.Choose(random, any);
 
-        // Neighbours on many legs stand too near for long toes.
-        return builder.Plan == BodyPlan.ManyLegged ? FootStyle.Plain : strange ? other : own;
+        // Neighbours on many legs stand too near for long toes, and discs at the ends of short toes that stand under the body are balls.
+        FootStyle drawn = strange ? other : own;
+        bool under = builder.Plan is BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar or BodyPlan.Centaur;
+        return builder.Plan == BodyPlan.ManyLegged ? FootStyle.Plain : drawn == FootStyle.Sucker && under ? FootStyle.Paw : drawn;
     }
 
     /// <summary>The hooves of a creature.</summary>

@@ -15,8 +15,9 @@ internal static class HeadFit
     private const double Height = 1.2;
     private const double Size = 1;
 
-    /// <summary>What swimmers have of these: they come head first, and a head as large as the trunk hides all of it.</summary>
+    // What swimmers and bodies that lie have of these: they come head first, and a head as large as the trunk hides all of it.
     private const double Swimmers = 0.8;
+    private const double Lying = 0.9;
 
     /// <summary>The part of what is too much that the head gives way; the trunk grows by the rest.</summary>
     private const double HeadsPart = 0.7;
@@ -51,13 +52,16 @@ internal static class HeadFit
         (double width, double height) = Largest(shape, FirstOfTrunk, LastOfTrunk);
         double size = Math.Sqrt(headWidth * headHeight / (width * height)) / Size;
         double breadth = headWidth / (width * Scalar.Lerp(Breadth, PlateBreadth, Scalar.Smooth((headWidth / headHeight) - (Plate - 0.5))));
-        double largest = builder.Kind == LocomotionKind.Swimming ? Swimmers : 1;
+        double largest = builder.Kind == LocomotionKind.Swimming ? Swimmers : builder.Plan == BodyPlan.Legless ? Lying : 1;
         double excess = Math.Max(1, Math.Max(size, Math.Max(breadth, headHeight / (height * Height))) / largest);
         double strange = builder.Fitting;
+
+        // What lies is a rope, and stays one.
+        double part = builder.Plan == BodyPlan.Legless ? 1 : HeadsPart;
         return drawn with
         {
-            Head = drawn.Head * PortableMath.Pow(excess, -HeadsPart * strange),
-            Girth = drawn.Girth * Math.Min(MaxGirth, PortableMath.Pow(excess, (1 - HeadsPart) * strange)),
+            Head = drawn.Head * PortableMath.Pow(excess, -part * strange),
+            Girth = drawn.Girth * Math.Min(MaxGirth, PortableMath.Pow(excess, (1 - part) * strange)),
         };
     }
 

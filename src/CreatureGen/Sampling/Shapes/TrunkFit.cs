@@ -17,6 +17,15 @@ internal static class TrunkFit
     private const double LongestSwimmer = 2.7;
     private const double LongestWinding = 4.2;
 
+    // Least length of a body that lies, from the neck to the end of its tail, in its thicknesses: a shorter one is a log with a face. What lacks it gains in length by this part, at most this, and by the rest it gives way in girth; its tail is at least this part of its trunk.
+    private const double LeastLying = 11.5;
+    private const double Lengthened = 0.62;
+    private const double MostLengthened = 1.55;
+    private const double LyingTail = 0.55;
+
+    /// <summary>The part of a girth that gives way which the depth of the ends of the trunk gives way by as well: girth is by .7 of it depth.</summary>
+    private const double RopeEnds = 0.2;
+
     // The part of what is too long that is taken from the length, and the part of the rest by which the trunk grows thicker.
     private const double Shortened = 0.45;
     private const double Thickened = 0.75;
@@ -56,14 +65,17 @@ internal static class TrunkFit
     private const double Deepened = 0.6;
     private const double Narrowed = 0.3;
 
-    /// <summary>The slices with a shorter trunk where it is too long for its depth.</summary>
+    /// <summary>The slices with a shorter trunk where it is too long for its depth, and with a longer one where it lies and is too short.</summary>
     public static ValueList<LatticeSlice> Gather(CreatureBuilder builder)
     {
         LatticeSlice[] slices = builder.Slices.ToArray();
-        double shorter = Math.Max(ShortestSlice, PortableMath.Pow(Length(builder, TrunkOutline.Of(StanceSampler.ShapeOf(builder))), -Shortened * builder.Fitting));
+        BodyShape shape = StanceSampler.ShapeOf(builder);
+        double length = builder.Plan == BodyPlan.Legless
+            ? Math.Min(MostLengthened, PortableMath.Pow(Short(shape), Lengthened * builder.Fitting))
+            : Math.Max(ShortestSlice, PortableMath.Pow(Length(builder, TrunkOutline.Of(shape)), -Shortened * builder.Fitting));
         for (int i = FirstSlice; i <= LastSlice; i++)
         {
-            slices[i] = slices[i] with { Length = shorter * slices[i].Length };
+            slices[i] = slices[i] with { Length = length * slices[i].Length };
         }
 
         return new ValueList<LatticeSlice>(slices);
@@ -73,7 +85,12 @@ internal static class TrunkFit
     public static BodyProportions Fit(CreatureBuilder builder)
     {
         BodyProportions drawn = builder.Proportions;
-        if (builder.Plan is BodyPlan.Legless or BodyPlan.ManyLegged || builder.Species.Disc.Sweep != 0)
+        if (builder.Plan == BodyPlan.Legless)
+        {
+            return Rope(builder, drawn);
+        }
+
+        if (builder.Plan == BodyPlan.ManyLegged || builder.Species.Disc.Sweep != 0)
         {
             return drawn;
         }
@@ -86,6 +103,34 @@ internal static class TrunkFit
             Girth = drawn.Girth * PortableMath.Pow(thick, 1 - Deep),
         };
         return builder.Kind == LocomotionKind.Swimming ? Streamlined(builder, proportions) : Tuck(builder, outline, proportions);
+    }
+
+    /// <summary>The proportions of a body that lies: slimmer where it is still short, with a tail.</summary>
+    private static BodyProportions Rope(CreatureBuilder builder, BodyProportions drawn)
+    {
+        BodyShape shape = StanceSampler.ShapeOf(builder);
+        double slimmer = PortableMath.Pow(Short(shape), -builder.Fitting);
+        double trunk = shape.Arc[StationRing.TorsoLast] - shape.Arc[StationRing.NeckBase];
+        double tail = Math.Max(1, LyingTail * trunk / (shape.Arc[StationRing.TailTip] - shape.Arc[StationRing.TorsoLast]));
+        return drawn with
+        {
+            Girth = drawn.Girth * slimmer,
+            Chest = drawn.Chest * PortableMath.Pow(slimmer, RopeEnds),
+            Rump = drawn.Rump * PortableMath.Pow(slimmer, RopeEnds),
+            Tail = drawn.Tail * Math.Min(MostLengthened, PortableMath.Pow(tail, builder.Fitting)),
+        };
+    }
+
+    /// <summary>How many times too short for its thickness a body is that lies, at least 1.</summary>
+    private static double Short(BodyShape shape)
+    {
+        double thickest = 0;
+        for (int ring = StationRing.NeckBase; ring <= StationRing.Pelvis; ring++)
+        {
+            thickest = Math.Max(thickest, 2 * Size(shape, ring));
+        }
+
+        return Math.Max(1, LeastLying * thickest / (shape.Arc[StationRing.TailTip] - shape.Arc[StationRing.NeckBase]));
     }
 
     /// <summary>How many times as long as it may be a trunk is, at least 1.</summary>
