@@ -1,6 +1,8 @@
+using System;
 using System.Linq;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
 using CreatureGen.Sampling;
 using CreatureGen.Sampling.Features;
 using CreatureGen.Sampling.Parents;
@@ -12,6 +14,9 @@ namespace CreatureGen.Tests.Sampling;
 
 public sealed class FaceRuleTests
 {
+    /// <summary>Half of the width and of the height of the head, metres.</summary>
+    private const double HalfHead = 0.3;
+
     private static readonly FeatureBlueprint noseHorn = Part(FeatureKind.Horn, 3, 0.3);
     private static readonly FeatureBlueprint tusk = Part(FeatureKind.Tusk, 4, 0.2);
     private static readonly FeatureBlueprint crownHorn = Part(FeatureKind.Horn, 13, 0.3);
@@ -32,6 +37,22 @@ public sealed class FaceRuleTests
     public void What_a_species_wears_on_its_own_head_stays() =>
         Assert.Equal(new[] { noseHorn, tusk, crownHorn }, Cleared("rhino", "rhino"));
 
+    [Fact]
+    public void The_horn_of_another_species_is_no_longer_than_two_thirds_of_a_face_is_high()
+    {
+        FeatureBlueprint horn = Assert.Single(Cleared("canine", "rhino", Part(FeatureKind.Horn, 3, 2)));
+        Assert.InRange(horn.Length, 0.3, 0.43);
+        Assert.True(horn.Radius < 0.05);
+    }
+
+    [Fact]
+    public void A_crest_on_the_own_snout_of_a_head_on_another_body_lies_back_over_its_crown()
+    {
+        FeatureBlueprint crest = Assert.Single(Cleared("pterosaur", "pterosaur", Part(FeatureKind.Plate, 5, 0.2)));
+        Assert.Equal((12, 0.2), (crest.Ring, crest.Length));
+        Assert.True(crest.Forward < -Math.Abs(crest.Upward));
+    }
+
     private static FeatureBlueprint[] Cleared(string head, string ornaments) => Cleared(head, ornaments, noseHorn, tusk, crownHorn);
 
     private static FeatureBlueprint[] Cleared(string head, string ornaments, params FeatureBlueprint[] worn)
@@ -39,6 +60,12 @@ public sealed class FaceRuleTests
         SpeciesProfile first = SpeciesCatalogue.Find("bear");
         var parents = new Parentage(first, SpeciesCatalogue.Find(head), SpeciesCatalogue.Find(ornaments)) { Head = SpeciesCatalogue.Find(head), Ornaments = SpeciesCatalogue.Find(ornaments) };
         var builder = new CreatureBuilder(new Seed(1), LocomotionKind.Walking, parents, BodyPlan.Plantigrade, 0.6);
+        builder.Shape = new BodyShape(new double[BodyGrid.Rings]);
+        foreach (double[] half in new[] { builder.Shape.Width, builder.Shape.Top, builder.Shape.Bottom })
+        {
+            Array.Fill(half, HalfHead);
+        }
+
         builder.Features.AddRange(worn);
         FaceRule.Clear(builder);
         return builder.Features.ToArray();

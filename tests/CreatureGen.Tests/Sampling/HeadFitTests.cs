@@ -16,6 +16,12 @@ public sealed class HeadFitTests
     /// <summary>The same of swimmers, whose heads hide the trunk from the front: what is left of the rule's .8.</summary>
     private const double LargestOfSwimmers = 0.95;
 
+    /// <summary>The same of those on two legs and in the air: what is left of the rule's .8.</summary>
+    private const double LargestOnTwoLegs = 0.95;
+
+    /// <summary>Thickest neck behind the head of another body against that: what the least that a neck keeps leaves of the rule's .82.</summary>
+    private const double ThickestNeck = 1.1;
+
     /// <summary>Broadest head in breadths of its trunk: what the posture leaves of the rule's 1.15.</summary>
     private const double Broadest = 1.25;
 
@@ -71,6 +77,39 @@ public sealed class HeadFitTests
                 BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
                 double breadth = Breadth(shape, 3, 14) / Breadth(shape, 23, 42);
                 Assert.True(breadth <= Broadest, FormattableString.Invariant($"{kind} {seed}: a head of {breadth:0.00} trunks' breadth"));
+            }
+        }
+    }
+
+    [Theory]
+    [InlineData(RequestedKind.Walking, 0.6)]
+    [InlineData(RequestedKind.Walking, 1)]
+    [InlineData(RequestedKind.Flying, 1)]
+    public void Heads_of_mixed_creatures_on_two_legs_and_in_the_air_are_smaller_than_their_trunks(RequestedKind kind, double strangeness)
+    {
+        for (ulong seed = 9794001; seed <= 9794150; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = kind, Strangeness = strangeness });
+            if (creature.Plan is BodyPlan.Theropod or BodyPlan.Flapping && SpeciesCatalogue.Find(creature.Body.Blend.Face).Class != AnimalClass.Arthropod)
+            {
+                BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
+                double size = Size(shape, 3, 14) / Size(shape, 23, 42);
+                Assert.True(size <= LargestOnTwoLegs, FormattableString.Invariant($"{kind} {seed}: a head of {size:0.00} trunks"));
+            }
+        }
+    }
+
+    [Fact]
+    public void The_neck_behind_the_head_of_another_body_is_thinner_than_the_head()
+    {
+        for (ulong seed = 9794001; seed <= 9794150; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = RequestedKind.Flying, Strangeness = 1 });
+            if (creature.Body.Blend.Face != creature.Body.Blend.First && SpeciesCatalogue.Find(creature.Body.Blend.Face).Class != AnimalClass.Arthropod)
+            {
+                BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
+                double neck = Size(shape, 18, 20) / Size(shape, 3, 14);
+                Assert.True(neck <= ThickestNeck, FormattableString.Invariant($"{seed}: a neck of {neck:0.00} heads"));
             }
         }
     }

@@ -11,11 +11,24 @@ internal static class FaceRule
     /// <summary>Last ring of a beak.</summary>
     private const double BeakEnd = 7;
 
-    /// <summary>Takes off what crowds a face; what a species wears on its own head stays.</summary>
+    /// <summary>Longest part before the face of another species, in heights of its head: from the front a longer one is all that is seen of it.</summary>
+    private const double LongestBefore = 0.7;
+
+    // Where a crest of the snout goes on a mixed creature, and how: it lies back over the crown.
+    private const double CrownRing = 12;
+    private const double CrownOutward = 0.5;
+    private const double CrownUpward = 0.25;
+
+    /// <summary>Takes off what crowds a face and shortens what stays; what a species wears on its own head stays as it is, but for crests on the snouts of mixed creatures, which lie back over the crown.</summary>
     public static void Clear(CreatureBuilder builder)
     {
         if (builder.Parents.Ornaments == builder.Parents.Head)
         {
+            if (builder.Parents.Head != builder.Parents.First)
+            {
+                Replace(builder, IsBlade, part => part with { Ring = CrownRing, Outward = CrownOutward, Upward = CrownUpward, Forward = -1 });
+            }
+
             return;
         }
 
@@ -31,6 +44,16 @@ internal static class FaceRule
         }
 
         builder.Features.RemoveAll(part => IsBefore(part) && ((beaked && part.Ring < BeakEnd) || IsBlade(part) || part.Kind != kept));
+        double most = LongestBefore * 2 * HeadSampler.HalfHeight(builder.Shape);
+        Replace(builder, part => IsBefore(part) && part.Length > most, part => part with { Length = most, Radius = part.Radius * Math.Sqrt(most / part.Length) });
+    }
+
+    private static void Replace(CreatureBuilder builder, Predicate<FeatureBlueprint> which, Func<FeatureBlueprint, FeatureBlueprint> by)
+    {
+        for (int i = 0; i < builder.Features.Count; i++)
+        {
+            builder.Features[i] = which(builder.Features[i]) ? by(builder.Features[i]) : builder.Features[i];
+        }
     }
 
     /// <summary>Whether something big is on the head already: a second thing would crowd it.</summary>

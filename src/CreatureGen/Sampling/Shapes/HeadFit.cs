@@ -15,9 +15,14 @@ internal static class HeadFit
     private const double Height = 1.2;
     private const double Size = 1;
 
-    // What swimmers and bodies that lie have of these: they come head first, and a head as large as the trunk hides all of it.
+    // What swimmers, bodies that lie and those on two legs have of these: they come head first, and a head as large as the trunk hides all of it; a bird behind a broader head is a stalk.
     private const double Swimmers = 0.8;
     private const double Lying = 0.9;
+    private const double OnTwoLegs = 0.8;
+
+    // Thickest neck behind the head of another body against that head, on land and in the air, and most that it gives way: behind a thicker one the head is the end of a log.
+    private const double Neck = 0.82;
+    private const double LeastNeck = 0.7;
 
     /// <summary>The part of what is too much that the head gives way; the trunk grows by the rest.</summary>
     private const double HeadsPart = 0.7;
@@ -32,9 +37,11 @@ internal static class HeadFit
     /// <summary>Most that the face of a swimmer falls away ahead of its brow, as those of swimming animals do; one that hangs as on a neck over land turns its forehead to the water.</summary>
     private const double SteepestFaceDegrees = 12;
 
-    // Rings of the head behind its lips, and of the trunk between the girdles.
+    // Rings of the head behind its lips, of the middle of the neck, and of the trunk between the girdles.
     private const int FirstOfHead = 3;
     private const int LastOfHead = 14;
+    private const int FirstOfNeck = 18;
+    private const int LastOfNeck = 20;
     private const int FirstOfTrunk = 23;
     private const int LastOfTrunk = 42;
 
@@ -52,15 +59,25 @@ internal static class HeadFit
         (double width, double height) = Largest(shape, FirstOfTrunk, LastOfTrunk);
         double size = Math.Sqrt(headWidth * headHeight / (width * height)) / Size;
         double breadth = headWidth / (width * Scalar.Lerp(Breadth, PlateBreadth, Scalar.Smooth((headWidth / headHeight) - (Plate - 0.5))));
-        double largest = builder.Kind == LocomotionKind.Swimming ? Swimmers : builder.Plan == BodyPlan.Legless ? Lying : 1;
+        double largest = builder.Kind == LocomotionKind.Swimming ? Swimmers : builder.Plan switch
+        {
+            BodyPlan.Legless => Lying,
+            BodyPlan.Theropod or BodyPlan.Flapping => OnTwoLegs,
+            _ => 1,
+        };
         double excess = Math.Max(1, Math.Max(size, Math.Max(breadth, headHeight / (height * Height))) / largest);
         double strange = builder.Fitting;
 
         // What lies is a rope, and stays one.
         double part = builder.Plan == BodyPlan.Legless ? 1 : HeadsPart;
+        double head = PortableMath.Pow(excess, -part * strange);
+        bool necked = builder.Parents.Head != builder.Parents.First && builder.Kind != LocomotionKind.Swimming && builder.Plan is not (BodyPlan.Legless or BodyPlan.ManyLegged);
+        (double neckWidth, double neckHeight) = Largest(shape, FirstOfNeck, LastOfNeck);
+        double neck = necked ? Scalar.Clamp(Neck * head * Math.Sqrt(headWidth * headHeight / (neckWidth * neckHeight)), LeastNeck, 1) : 1;
         return drawn with
         {
-            Head = drawn.Head * PortableMath.Pow(excess, -part * strange),
+            NeckGirth = drawn.NeckGirth * PortableMath.Pow(neck, strange),
+            Head = drawn.Head * head,
             Girth = drawn.Girth * Math.Min(MaxGirth, PortableMath.Pow(excess, (1 - part) * strange)),
         };
     }
