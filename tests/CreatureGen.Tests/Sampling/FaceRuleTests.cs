@@ -46,6 +46,10 @@ public sealed class FaceRuleTests
     }
 
     [Fact]
+    public void A_crest_of_another_species_is_no_longer_than_a_head_is_high_by_a_fifth() =>
+        Assert.InRange(Assert.Single(Cleared("canine", "pterosaur", Part(FeatureKind.Plate, 12, 2))).Length, 0.6, 0.72);
+
+    [Fact]
     public void A_crest_on_the_own_snout_of_a_head_on_another_body_lies_back_over_its_crown()
     {
         FeatureBlueprint crest = Assert.Single(Cleared("pterosaur", "pterosaur", Part(FeatureKind.Plate, 5, 0.2)));

@@ -11,24 +11,29 @@ internal static class FaceRule
     /// <summary>Last ring of a beak.</summary>
     private const double BeakEnd = 7;
 
-    /// <summary>Longest part before the face of another species, in heights of its head: from the front a longer one is all that is seen of it.</summary>
+    // Longest part of another species in heights of the head, before the face and elsewhere along its middle: from the front a longer one is all that is seen of it.
     private const double LongestBefore = 0.7;
+    private const double LongestAbove = 1.15;
 
     // Where a crest of the snout goes on a mixed creature, and how: it lies back over the crown.
     private const double CrownRing = 12;
     private const double CrownOutward = 0.5;
     private const double CrownUpward = 0.25;
 
-    /// <summary>Takes off what crowds a face and shortens what stays; what a species wears on its own head stays as it is, but for crests on the snouts of mixed creatures, which lie back over the crown.</summary>
+    /// <summary>Takes off what crowds a face and shortens what stays; what a species wears on its own head stays as it is; where that is on another body it is shortened above it, and crests on the snout lie back over the crown.</summary>
     public static void Clear(CreatureBuilder builder)
     {
-        if (builder.Parents.Ornaments == builder.Parents.Head)
+        bool own = builder.Parents.Ornaments == builder.Parents.Head;
+        if (own && builder.Parents.Head == builder.Parents.First)
         {
-            if (builder.Parents.Head != builder.Parents.First)
-            {
-                Replace(builder, IsBlade, part => part with { Ring = CrownRing, Outward = CrownOutward, Upward = CrownUpward, Forward = -1 });
-            }
+            return;
+        }
 
+        double height = 2 * HeadSampler.HalfHeight(builder.Shape);
+        Shorten(builder, part => part is { Segment: 0, Kind: FeatureKind.Horn or FeatureKind.Plate } && !IsBefore(part) && part.Ring <= StationRing.Nape, LongestAbove * height);
+        if (own)
+        {
+            Replace(builder, IsBlade, part => part with { Ring = CrownRing, Outward = CrownOutward, Upward = CrownUpward, Forward = -1 });
             return;
         }
 
@@ -44,9 +49,11 @@ internal static class FaceRule
         }
 
         builder.Features.RemoveAll(part => IsBefore(part) && ((beaked && part.Ring < BeakEnd) || IsBlade(part) || part.Kind != kept));
-        double most = LongestBefore * 2 * HeadSampler.HalfHeight(builder.Shape);
-        Replace(builder, part => IsBefore(part) && part.Length > most, part => part with { Length = most, Radius = part.Radius * Math.Sqrt(most / part.Length) });
+        Shorten(builder, IsBefore, LongestBefore * height);
     }
+
+    private static void Shorten(CreatureBuilder builder, Predicate<FeatureBlueprint> which, double most) =>
+        Replace(builder, part => which(part) && part.Length > most, part => part with { Length = most, Radius = part.Radius * Math.Sqrt(most / part.Length) });
 
     private static void Replace(CreatureBuilder builder, Predicate<FeatureBlueprint> which, Func<FeatureBlueprint, FeatureBlueprint> by)
     {

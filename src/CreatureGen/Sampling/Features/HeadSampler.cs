@@ -46,7 +46,7 @@ internal static class HeadSampler
     /// <summary>Highest ridge of the brow on a strange head, relative to its section: a higher one is a corner of a box.</summary>
     private const double HighestBrow = 0.12;
 
-    // Broadest front of a swimmer's muzzle against its head, and most that it is drawn in by: what comes head first is seen over its muzzle, and a broader one is all of its face.
+    // Broadest front of a muzzle against its head of what swims, or goes low, and most that it is drawn in by: what comes head first is seen over its muzzle, and a broader one is all of its face.
     private const double Muzzle = 0.58;
     private const double DrawnIn = 0.3;
 
@@ -144,7 +144,8 @@ internal static class HeadSampler
             Add(6, 0, 3.2, 1.5, Bridge * board);
             Add(7, 3.2, 2.2, 1.3, -Hollow * board);
             Add(6.2, 7.6, 2, 1.3, -Hollow * board);
-            Add(3, 8, 2.4, 16, -fitting * Scalar.Clamp(1 - (Muzzle / MuzzleBreadth(builder.Shape)), 0, DrawnIn));
+            bool low = builder.Parents.Head != builder.Parents.First && builder.Plan is BodyPlan.ManyLegged or BodyPlan.Hexapod or BodyPlan.Buzzing or BodyPlan.Legless or BodyPlan.Sprawling;
+            Add(3, 8, 2.4, 16, -(low ? builder.Fitting : fitting) * Scalar.Clamp(1 - (Muzzle / MuzzleBreadth(builder.Shape)), 0, DrawnIn));
         }
 
         if (species.Snout == SnoutKind.Beak)

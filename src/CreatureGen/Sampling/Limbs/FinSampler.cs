@@ -19,6 +19,9 @@ internal static class FinSampler
     /// <summary>Longest paired fin that is drawn, metres at scale 1: that of turtles; a longer one is a stilt from the side.</summary>
     private const double MaxPairLength = 0.75;
 
+    /// <summary>Deepest paired fin that is drawn, metres at scale 1: a long one that is deeper is a slab with a corner before the shoulder.</summary>
+    private const double MaxPairDepth = 0.42;
+
     /// <summary>Depth of a paddle that is as deep as the plan says, relative to its length.</summary>
     private const double PaddleWidth = 0.5;
 
@@ -96,7 +99,9 @@ internal static class FinSampler
                 double slender = FlankFin.Of(fin.Style) is FlankFin form ? form.Depth / PaddleWidth : 1;
                 double drawn = size * length * LengthOf(fin.Style) * fin.Scale.X;
                 double shorter = Scalar.Lerp(1, Math.Min(1, MaxPairLength / drawn), builder.Fitting);
-                builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, fin.Socket, shorter * drawn, Math.Min(MaxWidth, width * slender * fin.Scale.Z / shorter), DropOf(builder, hang, sweep, fin.Style, fin.Socket), sweep));
+                double depth = Math.Min(MaxWidth, width * slender * fin.Scale.Z / shorter);
+                depth = Scalar.Lerp(depth, Math.Min(depth, MaxPairDepth / (shorter * drawn)), builder.Fitting);
+                builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, fin.Socket, shorter * drawn, depth, DropOf(builder, hang, sweep, fin.Style, fin.Socket), sweep));
             }
             else
             {

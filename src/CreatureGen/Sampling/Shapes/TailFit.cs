@@ -98,7 +98,8 @@ internal static class TailFit
         bool bare = IsBare(builder);
         double slender = rolls ? LeastRolled : bare ? LeastCarried : taper != null ? LeastTapered : steers ? LeastBalancing : 0;
         double stubby = Math.Max(1, slender * Largest(shape, FirstOfTail, FirstOfTail) / (shape.Arc[LastOfTail] - shape.Arc[StationRing.TorsoLast]));
-        double shortest = steers ? LeastTail : bare || (taper != null && !rolls) ? LeastOfFamily : 0;
+        bool fanned = builder.Plan == BodyPlan.Flapping && builder.Tail.Style == TailStyle.Feathers && builder.Species.Class != AnimalClass.Bird;
+        double shortest = steers || fanned ? LeastTail : bare || (taper != null && !rolls) ? LeastOfFamily : 0;
         double longer = Math.Min(MostLonger, Math.Max(shortest / length, PortableMath.Pow(stubby, 1 - Slimmed)));
         return drawn with
         {
