@@ -19,7 +19,7 @@ public sealed class HeadFitTests
     /// <summary>The same of those on two legs and in the air: what is left of the rule's .8.</summary>
     private const double LargestOnTwoLegs = 0.95;
 
-    /// <summary>Thickest neck behind the head of another body against that: what the least that a neck keeps leaves of the rule's .82.</summary>
+    /// <summary>Thickest neck behind the head of another body against that: what the least that a neck keeps leaves of the rule's .95.</summary>
     private const double ThickestNeck = 1.1;
 
     /// <summary>Broadest head in breadths of its trunk: what the posture leaves of the rule's 1.15.</summary>

@@ -150,7 +150,7 @@ public sealed class TailFitTests
             abdomens++;
             BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
             double end = 180 / Math.PI * shape.Pitch[StationRing.TailTip];
-            Assert.True(end < 35, FormattableString.Invariant($"{seed}: {end:0} degrees"));
+            Assert.True(end < 45, FormattableString.Invariant($"{seed}: {end:0} degrees"));
         }
 
         Assert.InRange(abdomens, 8, 80);

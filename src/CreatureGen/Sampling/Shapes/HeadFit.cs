@@ -21,8 +21,8 @@ internal static class HeadFit
     private const double OnTwoLegs = 0.8;
 
     // Thickest neck behind the head of another body against that head, on land and in the air, and most that it gives way: behind a thicker one the head is the end of a log.
-    private const double Neck = 0.82;
-    private const double LeastNeck = 0.7;
+    private const double Neck = 0.95;
+    private const double LeastNeck = 0.75;
 
     /// <summary>The part of what is too much that the head gives way; the trunk grows by the rest.</summary>
     private const double HeadsPart = 0.7;

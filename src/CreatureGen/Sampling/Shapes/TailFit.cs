@@ -37,8 +37,8 @@ internal static class TailFit
     private const double BalancingDegrees = 17;
 
     // Most that an abdomen comes down, and how far its end bends back out: one that turns down at its end looks cut off there.
-    private const double AbdomenDegrees = 12;
-    private const double StraightenedDegrees = 14;
+    private const double AbdomenDegrees = 19;
+    private const double StraightenedDegrees = 13;
 
     // Least fall of a fan of feathers behind the rump, and rise from which on a fan is carried up as a cock's is.
     private const double FallDegrees = 18;
@@ -85,7 +85,7 @@ internal static class TailFit
 
         BodyShape shape = StanceSampler.ShapeOf(builder);
         double size = Largest(shape, FirstOfTail, LastOfTail) / Largest(shape, FirstOfTrunk, LastOfTrunk);
-        double largest = IsAboveLegs(builder) ? LargestRoot : builder.Plan is BodyPlan.Flapping or BodyPlan.Theropod ? LargestBalancing : double.PositiveInfinity;
+        double largest = IsAboveLegs(builder) ? LargestRoot : builder.Plan is BodyPlan.Flapping or BodyPlan.Theropod && builder.Species.Class != AnimalClass.Bird ? LargestBalancing : double.PositiveInfinity;
         double root = Largest(shape, StationRing.TailStem, StationRing.TailStem) / Largest(shape, StationRing.Pelvis, StationRing.Pelvis);
         double excess = Math.Max(1, Math.Max(size / Size, root / largest));
         double strange = builder.Fitting;
