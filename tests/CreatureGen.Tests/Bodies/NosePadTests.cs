@@ -31,7 +31,7 @@ public sealed class NosePadTests
     [Fact]
     public void It_covers_the_nostrils_and_not_the_corners_of_a_broad_muzzle()
     {
-        var shape = new BodyShape(new double[BodyGrid.Rings]);
+        var shape = new BodyShape();
         for (int i = 0; i < BodyGrid.Rings; i++)
         {
             (shape.Width[i], shape.Top[i], shape.Bottom[i]) = (0.2, 0.1, 0.1);

@@ -64,7 +64,7 @@ public sealed class FaceRuleTests
         SpeciesProfile first = SpeciesCatalogue.Find("bear");
         var parents = new Parentage(first, SpeciesCatalogue.Find(head), SpeciesCatalogue.Find(ornaments)) { Head = SpeciesCatalogue.Find(head), Ornaments = SpeciesCatalogue.Find(ornaments) };
         var builder = new CreatureBuilder(new Seed(1), LocomotionKind.Walking, parents, BodyPlan.Plantigrade, 0.6);
-        builder.Shape = new BodyShape(new double[BodyGrid.Rings]);
+        builder.Shape = new BodyShape();
         foreach (double[] half in new[] { builder.Shape.Width, builder.Shape.Top, builder.Shape.Bottom })
         {
             Array.Fill(half, HalfHead);

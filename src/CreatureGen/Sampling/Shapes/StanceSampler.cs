@@ -195,16 +195,14 @@ internal static class StanceSampler
         }
     }
 
-    /// <summary>The body's shape with the current posture and elevation.</summary>
-    /// <remarks>Most of what is asked for is the body that was shaped last, in many cases at another elevation: it is raised for a fortieth of the cost, which spares a blueprint a third of its time. A third of the rest differs in posture alone.</remarks>
+    /// <summary>The body's shape with the current posture and elevation. Most of what is asked for is the body that was shaped last, in many cases at another elevation: it is raised for a fortieth of the cost, which spares a blueprint a third of its time. A third of the rest differs in posture alone.</summary>
     public static BodyShape ShapeOf(CreatureBuilder builder)
     {
         BodyBlueprint body = builder.Body with { Elevation = 0 };
         if (!(builder.Shaped is var (plan, shaped, tail, shape) && plan == builder.Plan && tail == builder.Tail && shaped == body))
         {
             shape = builder.Shaped is var (_, other, same, sections) && same == builder.Tail && other with { Posture = body.Posture } == body
-                ? BodyShaper.Bent(sections, builder.Plan, body, builder.Tail)
-                : BodyShaper.Shape(builder.Plan, body, faceless, builder.Tail);
+                ? BodyShaper.Bent(sections, builder.Plan, body, builder.Tail) : BodyShaper.Shape(builder.Plan, body, faceless, builder.Tail);
             builder.Shaped = (builder.Plan, body, builder.Tail, shape);
         }
 

@@ -27,7 +27,7 @@ internal static class TailFit
     private const double LeastRolled = 9;
     private const double LeastTapered = 8.5;
     private const double LeastBalancing = 7.5;
-    private const double LeastCarried = 14;
+    private const double LeastCarried = 10;
     private const double Slimmed = 0.6;
 
     // How far a bare tail behind legs under the body falls at least, and how far its tip bends back out, degrees; one that is carried higher than level by this is raised on purpose. A tail that balances a body on two legs falls less.

@@ -8,6 +8,7 @@ using CreatureGen.Motion;
 using CreatureGen.Motion.Toolkit;
 using CreatureGen.Motion.Toolkit.Ragdolls;
 using CreatureGen.Rigging;
+using CreatureGen.Tests.Motion.Kept;
 using Xunit;
 
 namespace CreatureGen.Tests.Motion.Toolkit.Ragdolls;
@@ -59,7 +60,7 @@ public sealed class RagdollTests
     [Fact]
     public void Who_shakes_where_it_lies_comes_to_rest_and_a_copy_of_it_in_the_same_moment()
     {
-        Creature creature = CreatureGenerator.Generate(94);
+        Creature creature = KeptCreatures.Of(94);
         var rig = new RagdollRig(creature.Skeleton, creature.Bones);
         var state = new RagdollState(rig);
         var copy = new RagdollState(rig);

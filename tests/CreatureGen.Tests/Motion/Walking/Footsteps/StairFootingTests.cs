@@ -73,7 +73,7 @@ public sealed class StairFootingTests
     [Fact]
     public void A_foot_that_lies_far_behind_on_stairs_is_let_go_before_its_hip_ends()
     {
-        var profile = new MotionProfile(CreatureGenerator.Generate(9920016, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        var profile = new MotionProfile(KeptCreatures.Of(9920016));
         CourseReport report = new MotionCourse(CourseScripts.Runner(profile, 15f), CourseGround.Stairs, CourseRate.Of(60f)).Run(profile);
         Assert.True(report.StanceSlip < 0.03f, $"a stance slips by {report.StanceSlip}");
     }
