@@ -18,7 +18,7 @@ internal static class HeadFit
     // What swimmers, bodies that lie and those on two legs have of these: they come head first, and a head as large as the trunk hides all of it; a bird behind a broader head is a stalk.
     private const double Swimmers = 0.8;
     private const double Lying = 0.9;
-    private const double OnTwoLegs = 0.85;
+    private const double OnTwoLegs = 0.83;
 
     // Thickest neck behind the head of another body against that head, on land and in the air, and most that it gives way: behind a thicker one the head is the end of a log.
     private const double Neck = 0.95;
