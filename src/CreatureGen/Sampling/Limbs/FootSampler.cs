@@ -31,8 +31,7 @@ internal static class FootSampler
 
         // Neighbours on many legs stand too near for long toes, and discs at the ends of short toes that stand under the body are balls.
         FootStyle drawn = strange ? other : own;
-        bool under = builder.Plan is BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar or BodyPlan.Centaur;
-        return builder.Plan == BodyPlan.ManyLegged ? FootStyle.Plain : drawn == FootStyle.Sucker && under ? FootStyle.Plain : drawn;
+        return builder.Plan == BodyPlan.ManyLegged ? FootStyle.Plain : drawn == FootStyle.Sucker && PlanTraits.IsAboveLegs(builder.Plan) ? FootStyle.Plain : drawn;
     }
 
     /// <summary>The hooves of a creature.</summary>

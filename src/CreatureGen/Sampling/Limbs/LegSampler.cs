@@ -258,7 +258,7 @@ internal static class LegSampler
     }
 
     /// <summary>The plan with arms in front of its legs; plans that have none of these stay as they are.</summary>
-    public static BodyPlan WithArms(BodyPlan plan) => IsQuadruped(plan) ? BodyPlan.Centaur : plan;
+    public static BodyPlan WithArms(BodyPlan plan) => PlanTraits.IsQuadruped(plan) ? BodyPlan.Centaur : plan;
 
     /// <summary>The plan of four legs under the body that a species has oftenest.</summary>
     private static BodyPlan QuadrupedOf(SpeciesProfile legs)
@@ -267,7 +267,7 @@ internal static class LegSampler
         double max = 0;
         foreach (Weighted<BodyPlan> own in legs.WalkingPlans)
         {
-            if (IsQuadruped(own.Value) && own.Weight > max)
+            if (PlanTraits.IsQuadruped(own.Value) && own.Weight > max)
             {
                 (plan, max) = (own.Value, own.Weight);
             }
@@ -275,8 +275,6 @@ internal static class LegSampler
 
         return plan;
     }
-
-    private static bool IsQuadruped(BodyPlan plan) => plan is BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar;
 
     /// <summary>By how many segments legs grow nearer to the belly of a broad body: from its edges they stand like those of a table.</summary>
     private static double LoweringAt(CreatureBuilder builder, int ring) =>
@@ -297,7 +295,7 @@ internal static class LegSampler
             set = set with { Arms = set.Arms with { OddsNear = 0, OddsFar = 0.15 } };
         }
 
-        if (IsQuadruped(builder.Plan) || builder.Plan is BodyPlan.Centaur or BodyPlan.Theropod)
+        if (PlanTraits.IsAboveLegs(builder.Plan) || builder.Plan == BodyPlan.Theropod)
         {
             set = set.Lowered(LoweringAt(builder, StationRing.Shoulder), LoweringAt(builder, StationRing.Pelvis));
         }

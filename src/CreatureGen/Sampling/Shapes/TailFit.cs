@@ -85,7 +85,7 @@ internal static class TailFit
 
         BodyShape shape = StanceSampler.ShapeOf(builder);
         double size = Largest(shape, FirstOfTail, LastOfTail) / Largest(shape, FirstOfTrunk, LastOfTrunk);
-        double largest = IsAboveLegs(builder) ? LargestRoot : builder.Plan is BodyPlan.Flapping or BodyPlan.Theropod && builder.Species.Class != AnimalClass.Bird ? LargestBalancing : double.PositiveInfinity;
+        double largest = PlanTraits.IsAboveLegs(builder.Plan) ? LargestRoot : builder.Plan is BodyPlan.Flapping or BodyPlan.Theropod && builder.Species.Class != AnimalClass.Bird ? LargestBalancing : double.PositiveInfinity;
         double root = Largest(shape, StationRing.TailStem, StationRing.TailStem) / Largest(shape, StationRing.Pelvis, StationRing.Pelvis);
         double excess = Math.Max(1, Math.Max(size / Size, root / largest));
         double strange = builder.Fitting;
@@ -154,16 +154,12 @@ internal static class TailFit
     private static bool HasAbdomen(CreatureBuilder builder) =>
         builder.Species.Class == AnimalClass.Arthropod && builder.Tail.Style == TailStyle.Plain && builder.Plan is BodyPlan.Buzzing or BodyPlan.Hexapod or BodyPlan.Flapping;
 
-    /// <summary>Whether legs stand under the body, with the tail behind them.</summary>
-    private static bool IsAboveLegs(CreatureBuilder builder) =>
-        builder.Plan is BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar or BodyPlan.Centaur;
-
     /// <summary>Whether a tail behind legs under the body is neither rolled up nor armed, and wears no hair.</summary>
     private static bool IsBare(CreatureBuilder builder)
     {
         bool haired = builder.Parents.Tail.TailHair is not null && builder.Tail.Style == TailStyle.Plain
             && (builder.Parents.Skin.Cover == SkinCover.Fur || builder.Parents.Skin == builder.Parents.Tail);
-        return IsAboveLegs(builder) && !haired && builder.Tail.Style is TailStyle.Plain or TailStyle.Saurian or TailStyle.Whip;
+        return PlanTraits.IsAboveLegs(builder.Plan) && !haired && builder.Tail.Style is TailStyle.Plain or TailStyle.Saurian or TailStyle.Whip;
     }
 
     /// <summary>The slices with a point at the end of a bird's tail that wears no feathers, whose tables are made for a fan and end like a sawn log without one, of an abdomen, and of a swimmer's, whose fin comes later.</summary>
@@ -192,7 +188,7 @@ internal static class TailFit
     {
         const int End = BodyGrid.Rings - 1;
         BodyShape s = builder.Shape;
-        bool stands = IsAboveLegs(builder) || (builder.Plan == BodyPlan.Upright && builder.Parents.Legs.Legs is null);
+        bool stands = PlanTraits.IsAboveLegs(builder.Plan) || (builder.Plan == BodyPlan.Upright && builder.Parents.Legs.Legs is null);
         double down = s.Y[StationRing.TorsoLast] - s.Y[End];
         double back = s.Z[StationRing.TorsoLast] - s.Z[End];
         bool balances = builder.Plan == BodyPlan.Theropod && builder.Species.Class != AnimalClass.Bird && builder.Tail.Style != TailStyle.Feathers;

@@ -156,7 +156,7 @@ internal static class TrunkFit
         }
 
         double strange = builder.Fitting;
-        bool under = builder.Kind == LocomotionKind.Walking && builder.Plan is BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar or BodyPlan.Centaur;
+        bool under = builder.Kind == LocomotionKind.Walking && PlanTraits.IsAboveLegs(builder.Plan);
         bool insect = builder.Species.Class == AnimalClass.Arthropod;
         double excess = under ? Math.Max(1, outline.Breadth / Broad) : 1;
         double tuck = PortableMath.Pow(Scalar.Clamp((insect ? Waist : Tucked) / outline.Tuck, LeastTuck, 1), strange);
