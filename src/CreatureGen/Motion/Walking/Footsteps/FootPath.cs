@@ -1,3 +1,4 @@
+using System;
 using System.Numerics;
 using CreatureGen.Motion.Walking.Legs;
 
@@ -6,6 +7,9 @@ namespace CreatureGen.Motion.Walking.Footsteps;
 /// <summary>Where a foot is on its way at present: where it stands, or between where it left the ground and where it comes down. The leg has to bring it there. Who poses feet writes it.</summary>
 internal struct FootPath
 {
+    /// <summary>Rise of a way, as part of its length, from which on it is taken for a wall that is climbed.</summary>
+    private const float Steepest = 1f;
+
     /// <summary>Place under the ball in model space at present, the swing's lift not counted.</summary>
     public Vector3 Base;
 
@@ -33,4 +37,21 @@ internal struct FootPath
 
     /// <summary>How far an act holds it in the air, 0..1: nothing of its sole has to lie on the ground then. That of a leg that is folded under the body does lie there.</summary>
     public float Aloft;
+
+    /// <summary>Direction away from the straight line on which it goes, upright where that is level; its height is 1, so that its product with a way is how much higher that ends above the line.</summary>
+    public readonly Vector3 Away
+    {
+        get
+        {
+            Vector3 way = End - Start;
+            float level = (float)Math.Sqrt((way.X * way.X) + (way.Z * way.Z));
+            if (way.Y == 0f || level == 0f)
+            {
+                return Vector3.UnitY;
+            }
+
+            float rise = Math.Max(-Steepest, Math.Min(way.Y / level, Steepest)) / level;
+            return new Vector3(-way.X * rise, 1f, -way.Z * rise);
+        }
+    }
 }

@@ -21,6 +21,9 @@ internal static class FootRelease
     /// <summary>How far the joints of a leg may keep its foot off its place when it is decided next, as it goes on, leg lengths.</summary>
     private const float MaxMiss = 0.006f;
 
+    /// <summary>Square of how flat the chord of a leg under its hip is, level over upright, from which on that hip may come to its end.</summary>
+    private const float Flat = 0.5f;
+
     /// <summary>How far it may ask the body to come down, and how far as it is stretched farther and farther, leg lengths.</summary>
     private const float MaxDrop = 0.16f;
     private const float MaxGrowingDrop = 0.10f;
@@ -65,8 +68,8 @@ internal static class FootRelease
             || (grows && ((!late && drop > MaxGrowingDrop) || reached > Math.Max(leg.Lateral ? LateralStretch : MaxStretch, leg.RestStretch + BeyondRest) * leg.Reach));
     }
 
-    /// <summary>Whether a hip may come to its end with a chord: any out to the side, one above its leg only where that lies flatter than it is steep.</summary>
-    private static bool HipMayEnd(LegRig leg, Vector3 chord) => leg.Lateral || (chord.X * chord.X) + (chord.Z * chord.Z) > chord.Y * chord.Y;
+    /// <summary>Whether a hip may come to its end with a chord: any out to the side, one above its leg only where that lies flat.</summary>
+    private static bool HipMayEnd(LegRig leg, Vector3 chord) => leg.Lateral || (chord.X * chord.X) + (chord.Z * chord.Z) > Flat * chord.Y * chord.Y;
 
     /// <summary>Whether a standing foot was taken from its place in a long update, since it was last decided what it does.</summary>
     /// <param name="foot">The foot, as it has been posed.</param>

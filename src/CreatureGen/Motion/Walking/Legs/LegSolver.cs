@@ -146,13 +146,14 @@ internal static class LegSolver
     /// <summary>Bends the knee of a leg whose thigh is held where it is, until its end is as high as asked, or as high as it comes; one that is high enough stays as it is.</summary>
     /// <param name="leg">At rest.</param>
     /// <param name="parts">Its parts.</param>
-    /// <param name="height">How high the end has to be, from the hip.</param>
+    /// <param name="away">Direction away from the ground.</param>
+    /// <param name="height">How far along it the end has to be, from the hip.</param>
     /// <param name="tolerance">How far the knee may stay beyond its limits, about half the angle in radians.</param>
     /// <param name="turns">The turns; those of knee and shank are made anew.</param>
-    public static void Raise(LegRig leg, in LegSegments parts, float height, float tolerance, ref LegRotations turns)
+    public static void Raise(LegRig leg, in LegSegments parts, Vector3 away, float height, float tolerance, ref LegRotations turns)
     {
         Vector3 n = leg.Hinge;
-        Vector3 up = Rotation.Rotate(Rotation.Inverse(turns.Thigh), Vector3.UnitY);
+        Vector3 up = Rotation.Rotate(Rotation.Inverse(turns.Thigh), away);
 
         // The end is as high as: still + a cos θ + b sin θ, θ the turn of the knee.
         double still = Vec.Dot(up, parts.Upper) + (Vec.Dot(up, n) * Vec.Dot(leg.Shank, n));

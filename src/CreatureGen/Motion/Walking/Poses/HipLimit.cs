@@ -1,4 +1,5 @@
 using System;
+using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Walking.Footsteps;
 using CreatureGen.Motion.Walking.Legs;
@@ -37,6 +38,9 @@ internal readonly struct HipLimit
     /// <summary>How far the foot is about to come down, 0..1.</summary>
     public float Arriving { get; }
 
+    /// <summary>How much the leg is as it stood or as it will stand, 0..1.</summary>
+    public float Held => Math.Max(Standing, Arriving);
+
     /// <summary>How far the knee has to stay from straight, 0..1.</summary>
     public float Slack { get; }
 
@@ -52,9 +56,10 @@ internal readonly struct HipLimit
     /// <param name="leg">Whose.</param>
     /// <param name="parts">Its two solved parts.</param>
     /// <param name="goal">What it reaches for.</param>
-    /// <param name="ground">Height of the ground below the hip, metres of the model.</param>
+    /// <param name="away">Direction away from the way of its foot.</param>
+    /// <param name="way">How far along it that way is from the hip, metres of the model.</param>
     /// <param name="solved">The leg as its hip lets it be.</param>
-    public void Bend(LegRig leg, in LegSegments parts, in LegGoal goal, float ground, ref LegRotations solved)
+    public void Bend(LegRig leg, in LegSegments parts, in LegGoal goal, Vector3 away, float way, ref LegRotations solved)
     {
         LegRotations stood = solved;
         if (Standing > 0f)
@@ -68,7 +73,7 @@ internal readonly struct HipLimit
             return;
         }
 
-        LegSolver.Raise(leg, parts, ground, Tolerance, ref solved);
+        LegSolver.Raise(leg, parts, away, way, Tolerance, ref solved);
         if (Standing > 0f)
         {
             solved.Blend(stood, Standing, leg.Hinge);
@@ -77,7 +82,7 @@ internal readonly struct HipLimit
 
     /// <summary>How far toes lie as they should where the ankle turns their foot, 0..1: those of flat feet do on the ground, those of legs out to the side less and less before and after.</summary>
     /// <param name="leg">Whose.</param>
-    public float Laid(LegRig leg) => !leg.FlatFoot ? 0f : leg.Lateral ? Math.Max(Standing, Arriving) : 1f;
+    public float Laid(LegRig leg) => !leg.FlatFoot ? 0f : leg.Lateral ? Held : 1f;
 
     /// <summary>Part of its place on an edge of its sole that a foot takes: all of it on the ground, less and less before and after, no more of it in the air than it had on the ground, and none where an act holds it.</summary>
     /// <param name="leg">Whose.</param>

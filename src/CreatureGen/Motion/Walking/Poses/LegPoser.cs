@@ -109,8 +109,13 @@ internal sealed class LegPoser
             wanted.Target -= astray * fraction;
             Solve(leg, carrier, hip, wanted, carried, ref foot, local, out solved);
 
-            // On the ground the toes lie as was found; in the air those of a linked leg go along with its ankle anew.
-            metatarsus = PoseFoot(leg, solved, linked && !stands ? asked : wanted, local, stands ? 1f : laid, out astray, out excess);
+            // On the ground the toes lie as was found; in the air those of a linked leg go along with its ankle anew, the more the farther they are from their stances.
+            if (linked && !stands)
+            {
+                asked.Toes = UnitRotation.Nlerp(asked.Toes, wanted.Toes, limit.Held);
+            }
+
+            metatarsus = PoseFoot(leg, solved, linked && !stands ? asked : wanted, local, stands ? 1f : linked ? limit.Held : laid, out astray, out excess);
             fraction = i == 0 ? fraction * laid : fraction;
         }
 
@@ -132,7 +137,9 @@ internal sealed class LegPoser
     private void Solve(LegRig leg, Quaternion carrier, Vector3 hip, in FootPose pose, float carried, ref Foot foot, in Pose local, out LegRotations solved)
     {
         Vector3 chord = pose.Target - hip;
+        Vector3 away = foot.Path.Away;
         float ground = chord.Y - foot.Path.Lift;
+        float way = Vec.Dot(away, chord) - foot.Path.Lift;
         if (carried > 0f)
         {
             // Where the body carries it, and not through the ground: a body that brakes is lower than one that leaps.
@@ -158,7 +165,7 @@ internal sealed class LegPoser
         var goal = new LegGoal(chord, foot.Path.Heading, limit.Slack, limit.Tolerance);
         if (!Aim(leg, parts, carrier, goal, local, out solved))
         {
-            limit.Bend(leg, parts, goal, ground, ref solved);
+            limit.Bend(leg, parts, goal, away, way, ref solved);
             if (limit.Arriving > 0f)
             {
                 // It will stand where it comes down: with the leg as it then is.

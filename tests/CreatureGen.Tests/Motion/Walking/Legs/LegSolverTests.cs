@@ -22,11 +22,12 @@ public sealed class LegSolverTests
                 for (int i = 0; i < 50; i++)
                 {
                     LegRotations held = Held(leg, (0.04f * i) - 1f);
-                    float before = Height(leg, held);
+                    var away = new Vector3(0f, 1f, 0.4f * ((i % 3) - 1));
+                    float before = Vector3.Dot(away, End(leg, held));
                     float asked = before + (0.3f * leg.Length * (i % 5) / 5f);
                     LegRotations after = held;
-                    LegSolver.Raise(leg, leg.Parts, asked, 0f, ref after);
-                    float height = Height(leg, after);
+                    LegSolver.Raise(leg, leg.Parts, away, asked, 0f, ref after);
+                    float height = Vector3.Dot(away, End(leg, after));
                     Assert.True(height > before - (Tolerance * leg.Length), $"{seed}: lowered from {before} to {height}");
                     Assert.True(height < asked + (Tolerance * leg.Length), $"{seed}: raised to {height}, asked {asked}");
                     double cosine = Math.Cos(after.KneeTurn);
@@ -46,7 +47,7 @@ public sealed class LegSolverTests
         LegRig leg = new MotionProfile(Walkers.Any(42)).Legs!.Legs[0];
         LegRotations held = Held(leg, 0.3f);
         LegRotations after = held;
-        LegSolver.Raise(leg, leg.Parts, Height(leg, held) - 0.01f, 0f, ref after);
+        LegSolver.Raise(leg, leg.Parts, Vector3.UnitY, Height(leg, held) - 0.01f, 0f, ref after);
         Assert.Equal(held.Knee, after.Knee);
     }
 
@@ -98,7 +99,7 @@ public sealed class LegSolverTests
         LegRig leg = new MotionProfile(Walkers.Any(42)).Legs!.Legs[0];
         LegRotations one = Held(leg, 0.3f);
         LegRotations other = Held(leg, -0.2f);
-        LegSolver.Raise(leg, leg.Parts, Height(leg, other) + (0.2f * leg.Length), 0f, ref other);
+        LegSolver.Raise(leg, leg.Parts, Vector3.UnitY, Height(leg, other) + (0.2f * leg.Length), 0f, ref other);
         LegRotations none = one;
         none.Blend(other, 0f, leg.Hinge);
         LegRotations all = one;
