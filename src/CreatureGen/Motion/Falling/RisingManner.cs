@@ -10,8 +10,8 @@ internal sealed class RisingManner
 {
     /// <summary>Kilograms from which on a body takes its time, and how much longer it takes.</summary>
     private const float HeavyMass = 200f;
-    private const float HeavyTime = 1.6f;
-    private const float PillarTime = 1.4f;
+    private const float HeavyTime = 1.45f;
+    private const float PillarTime = 1.2f;
 
     private static readonly double[] all = { 0, 0.3, 0.55, 0.8, 1 };
     private static readonly double[] hindFirstFore = { 1, 0.95, 0.7, 0.3, 0 };

@@ -33,6 +33,9 @@ internal sealed class GaitClock
     /// <summary>How quickly a change of that, or of how long steps are, is taken up, per second: feet would roll and fold another way at once where a gait changes.</summary>
     private const float GainRate = 8f;
 
+    /// <summary>How quickly the body takes up the tempo of another gait, per second.</summary>
+    private const float TempoRate = 15f;
+
     /// <summary>How quickly the tempo of who comes to a stand falls at most, cycles per second in a second, parts of g/leg: its last steps are short instead of slow.</summary>
     private const float TempoFall = 0.05f;
 
@@ -53,9 +56,12 @@ internal sealed class GaitClock
     private readonly float[] lags;
     private readonly float quickest;
     private float frequencyRest;
+    private float tempoRest;
+    private bool changes;
     private ExponentialDecay shapeDecay;
     private ExponentialDecay gainDecay;
     private ExponentialDecay lengthDecay;
+    private ExponentialDecay tempoDecay;
     private float gainAhead;
     private Gait? measured;
     private float measuredFroude;
@@ -88,6 +94,9 @@ internal sealed class GaitClock
 
     /// <summary>Cycles per second.</summary>
     public float Frequency { get; private set; }
+
+    /// <summary>The tempo that the body keeps, cycles per second: that of the steps, which changes at once where a gait does; the heights of its bounce and the ways of its sway go by the square of it.</summary>
+    public float Tempo => Frequency + tempoRest;
 
     /// <summary>Seconds of a cycle, 10 at most.</summary>
     public float Cycle => 1f / Math.Max(Frequency, 0.1f);
@@ -127,9 +136,12 @@ internal sealed class GaitClock
         Lead = other.Lead;
         other.lags.CopyTo(lags, 0);
         frequencyRest = other.frequencyRest;
+        tempoRest = other.tempoRest;
+        changes = other.changes;
         shapeDecay = other.shapeDecay;
         gainDecay = other.gainDecay;
         lengthDecay = other.lengthDecay;
+        tempoDecay = other.tempoDecay;
         gainAhead = other.gainAhead;
         slope = other.slope;
         isKept = other.isKept;
@@ -150,6 +162,8 @@ internal sealed class GaitClock
         Shape = GaitShape.Of(gait);
         Duty = gait.Duty.At(froude);
         frequencyRest = 0f;
+        tempoRest = 0f;
+        changes = false;
         isKept = false;
         for (int i = 0; i < lags.Length; i++)
         {
@@ -163,6 +177,7 @@ internal sealed class GaitClock
         frequencyRest += FrequencyOf(Gait, froude, gravity) - FrequencyOf(gait, froude, gravity);
         Gait = gait;
         Lead = lead;
+        changes = true;
     }
 
     /// <summary>Lets the numbers go on their way.</summary>
@@ -197,9 +212,12 @@ internal sealed class GaitClock
         float fall = velocity.IsToStand ? TempoFall : TempoFallOfGoing;
         float kept = velocity.IsToStand || isKept ? Frequency - (fall * gravity / body.LegLength * dt) : 0f;
         isKept = kept > needed;
+        float tempo = Tempo;
         Frequency = Math.Max(needed, kept);
         float length = Math.Min(measuredLength * straight / Frequency, 1f);
         Length = dt > 0f ? Length + ((length - Length) * lengthDecay.Fraction(GainRate * dt)) : length;
+        tempoRest = changes ? tempo - Frequency : tempoRest - (tempoRest * tempoDecay.Fraction(TempoRate * dt));
+        changes = false;
         float cycle = Frequency * dt;
         float duty = DutyInTurn(Gait, froude, velocity.Turn, unit);
         Duty += Scalar.Clamp(duty - Duty, -DutyPerCycle * cycle, DutyPerCycle * cycle);

@@ -4,6 +4,7 @@ using System.Linq;
 using CreatureGen.Motion;
 using CreatureGen.Motion.Metrics;
 using CreatureGen.Sampling;
+using CreatureGen.Tests.Motion.Kept;
 using Xunit;
 
 namespace CreatureGen.Tests.Motion.Metrics.Courses;
@@ -45,6 +46,24 @@ public sealed class StanceSlipTests
         var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
         CourseReport report = new MotionCourse(CourseScripts.Random(profile, 12f, 0f), CourseGround.Flat, CourseRate.Of(480f)).Run(profile);
         Assert.True(report.StanceSlip99 <= 0.002f, $"{seed}: one stance of a hundred slips by {report.StanceSlip99}");
+    }
+
+    /// <summary>A dog-like runner that brakes: its hip came to its end between two decisions, far sooner than its leg lay flat, and dragged the foot by 2.3 % of a leg.</summary>
+    [Fact]
+    public void A_foot_of_who_brakes_is_let_go_before_its_hip_ends()
+    {
+        var profile = new MotionProfile(KeptCreatures.Of(10900030));
+        CourseReport report = new MotionCourse(CourseScripts.Random(profile, 12f, 0f), CourseGround.Flat, CourseRate.Of(480f)).Run(profile);
+        Assert.True(report.StanceSlip <= 0.015f, $"a stance slips by {report.StanceSlip}");
+    }
+
+    /// <summary>Toes of a hoofed runner that lay on the ground beside its ankle's limit, and went along with that at once as they left it: by 72 rad/s.</summary>
+    [Fact]
+    public void Toes_leave_the_ground_as_they_lay_on_it()
+    {
+        var profile = new MotionProfile(KeptCreatures.Of(10900035));
+        CourseReport report = new MotionCourse(CourseScripts.Keys(profile, 12f), CourseGround.Flat, CourseRate.Of(480f)).Run(profile);
+        Assert.True(report.JointSpeed < 60f, $"{profile.Subject.Skeleton.Joints[report.JointSpeedJoint].Name} turns by {report.JointSpeed} rad/s");
     }
 
     /// <summary>Theropods that took 4.8 and 3.3 steps a second as they turned on the spot; knees turned by 62 rad/s.</summary>

@@ -58,6 +58,15 @@ public sealed class StairFootingTests
         Assert.True(report.JointSpeed < 60f, $"{profile.Subject.Skeleton.Joints[report.JointSpeedJoint].Name} turns by {report.JointSpeed} rad/s");
     }
 
+    /// <summary>A running biped whose thigh came to its end before a riser: it flipped its shank from behind that to before it, at 112 rad/s, to be as high as its foot was to be farther up.</summary>
+    [Fact]
+    public void A_shank_is_brought_over_a_riser_without_a_flip_where_its_thigh_is_at_its_limit()
+    {
+        var profile = new MotionProfile(KeptCreatures.Of(10900037));
+        CourseReport report = new MotionCourse(CourseScripts.Runner(profile, 12f), CourseGround.Stairs, CourseRate.Of(60f)).Run(profile);
+        Assert.True(report.JointSpeed < 60f, $"{profile.Subject.Skeleton.Joints[report.JointSpeedJoint].Name} turns by {report.JointSpeed} rad/s");
+    }
+
     /// <summary>Lizards whose toes turned with the foot as its heel came off: they slipped by 4 and 4.9 % of a leg.</summary>
     [Theory]
     [InlineData(9920012UL, Explicit = true)]

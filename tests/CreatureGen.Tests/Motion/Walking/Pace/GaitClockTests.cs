@@ -67,6 +67,31 @@ public sealed class GaitClockTests
         }
     }
 
+    /// <summary>A gait is changed by the speed that will be. Bounce and sway go by the square of the tempo: hips jumped by a fiftieth of a leg in that update.</summary>
+    [Fact]
+    public void Where_a_gait_changes_its_steps_take_another_tempo_at_once_and_its_body_little_by_little()
+    {
+        const float Step = 1f / 480f;
+        LeggedBody body = LeggedBody.Of(new MotionSubject(Walkers.Any(42)))!;
+        float speed = 0.6f * (float)System.Math.Sqrt(Gravity * body.LegLength);
+        GaitClock clock = Going(body, GaitLibrary.Walk, speed, 0f, 0f);
+        Assert.Equal(clock.Frequency, clock.Tempo, 1e-4f);
+        float jump = 0f;
+        float change = 0f;
+        clock.Change(GaitLibrary.Trot, 4f * speed * speed / (Gravity * body.LegLength), Gravity, Lead.Left);
+        for (int i = 0; i < 480; i++)
+        {
+            (float frequency, float tempo) = (clock.Frequency, clock.Tempo);
+            clock.Slide(Step, RootVelocity.At(speed, 0f, 0f), Gravity, 1f, 0f);
+            jump = System.Math.Max(jump, System.Math.Abs(clock.Frequency - frequency));
+            change = System.Math.Max(change, System.Math.Abs(clock.Tempo - tempo));
+        }
+
+        Assert.True(jump > 0.1f, $"its steps jump by {jump} cycles per second");
+        Assert.InRange(change, 0f, 0.05f * jump);
+        Assert.Equal(clock.Frequency, clock.Tempo, 1e-4f);
+    }
+
     private static GaitClock Going(LeggedBody body, Gait gait, float speed, float turn, float rise)
     {
         var clock = new GaitClock(body, gait);
