@@ -5,6 +5,7 @@ using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Subjects;
 using CreatureGen.Motion.Toolkit;
+using CreatureGen.Motion.Toolkit.Ik;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion;
@@ -21,7 +22,6 @@ internal sealed class SecondaryMotion
     private readonly SpringRig[] rigs;
     private readonly SpringSettings[] settings;
     private readonly SpringState[] states;
-    private readonly int[][] roots;
     private readonly SpringCollider[] ground = new SpringCollider[1];
 
     public SecondaryMotion(SpringRig[] rigs, SpringSettings[] settings)
@@ -29,11 +29,10 @@ internal sealed class SecondaryMotion
         this.rigs = rigs;
         this.settings = settings;
         states = new SpringState[rigs.Length];
-        roots = new int[rigs.Length][];
         for (int i = 0; i < rigs.Length; i++)
         {
             states[i] = new SpringState(rigs[i]);
-            roots[i] = RootsOf(rigs[i]);
+            states[i].Tune(settings[i]);
 
             // Made now, so that no update has to.
             states[i].Colliders = new SpringCollider[ground.Length];
@@ -114,11 +113,14 @@ internal sealed class SecondaryMotion
     private static bool KeepWithinLimits(SpringRig rig, in Pose local, in Pose model)
     {
         int first = -1;
-        ReadOnlySpan<Joint> joints = rig.Skeleton.AllJoints;
-        foreach (int joint in rig.Joints)
+        ReadOnlySpan<LocalLimit> limits = rig.Limits;
+        ReadOnlySpan<int> joints = rig.Joints;
+        for (int i = 0; i < limits.Length; i++)
         {
-            Quaternion bounded = SwingTwistLimit.ClampLocal(local.Rotations[joint], joints[joint]);
-            if (bounded != local.Rotations[joint])
+            int joint = joints[i];
+            Quaternion turn = local.Rotations[joint];
+            Quaternion bounded = limits[i].Clamp(turn);
+            if (bounded != turn)
             {
                 local.Rotations[joint] = bounded;
                 first = first < 0 ? joint : first;
@@ -137,7 +139,7 @@ internal sealed class SecondaryMotion
     private bool ReachesDown(int chain, float clearance, float rise, in Pose model)
     {
         float length = (1f + Thickness + Math.Abs(rise)) * rigs[chain].Length;
-        foreach (int root in roots[chain])
+        foreach (int root in rigs[chain].Roots)
         {
             if (model.Positions[root].Y + clearance - (rise * model.Positions[root].Z) < length)
             {
@@ -146,20 +148,6 @@ internal sealed class SecondaryMotion
         }
 
         return false;
-    }
-
-    private static int[] RootsOf(SpringRig rig)
-    {
-        var roots = new List<int>();
-        for (int i = 0; i < rig.Joints.Length; i++)
-        {
-            if (rig.Parents[i] < 0)
-            {
-                roots.Add(rig.Joints[i]);
-            }
-        }
-
-        return roots.ToArray();
     }
 
     /// <summary>How far the skin of each bone is below it, beyond what all of the chain keeps from the ground.</summary>

@@ -112,7 +112,7 @@ public sealed class StopTests
             foreach (LegRig leg in body.Legs)
             {
                 float aside = body.MaxSway + ((1f - leg.MinTrack) * Math.Abs(leg.Home.X));
-                Assert.True(leg.Lateral || MathF.Atan2(aside, leg.HipRest.Y) < leg.DrawsIn, $"{seed}: {aside} m");
+                Assert.True(leg.Lateral || MathF.Atan2(aside, leg.HipRest.Y) < leg.Limits.DrawsIn, $"{seed}: {aside} m");
             }
         }
     }

@@ -2,6 +2,7 @@ using System;
 using System.Numerics;
 using System.Runtime.CompilerServices;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit.Ik;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Toolkit;
@@ -23,11 +24,6 @@ public static class SwingTwistLimit
 
     private const int NewtonSteps = 24;
 
-    // 2 · asin(1/2) / (1/2), rounded up: below half, no angle is more than so many times the sine of its half.
-    private const float AnglePerHalfSine = 2.0944f;
-
-    // The same for half sines below √3/2, of turns up to 120°.
-    private const float WideAnglePerHalfSine = 2.4185f;
     private const double Hair = 1e-9;
 
     /// <summary>The turn within the limit nearest to a turn.</summary>
@@ -36,7 +32,7 @@ public static class SwingTwistLimit
     /// <returns>The turn itself, to the bit, when it is within the limit.</returns>
     public static Quaternion Clamp(Quaternion turn, JointLimit limit)
     {
-        if (IsWellWithin(turn, limit))
+        if (new SwingTwistBounds(limit).Hold(turn))
         {
             return turn;
         }
@@ -67,7 +63,7 @@ public static class SwingTwistLimit
     /// <remarks>What costs no inverse function is inlined: nearly all joints of a frame are well within their limits, and a quaternion that is handed over costs as much as the test.</remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quaternion ClampLocal(Quaternion local, Joint joint) =>
-        BoneAxes.AreOwn(joint) && IsWellWithin(Rotation.Multiply(Rotation.Inverse(joint.LocalRotation), local), joint.Limit) ? local : ClampNear(local, joint);
+        BoneAxes.AreOwn(joint) && new SwingTwistBounds(joint.Limit).Hold(Rotation.Multiply(Rotation.Inverse(joint.LocalRotation), local)) ? local : ClampNear(local, joint);
 
     /// <summary>Brings all joints of a local pose within their limits.</summary>
     /// <param name="skeleton">Gives rest rotations and limits.</param>
@@ -83,7 +79,7 @@ public static class SwingTwistLimit
     }
 
     /// <summary>A local rotation that is near its joint's limit, or beyond.</summary>
-    private static Quaternion ClampNear(Quaternion local, Joint joint)
+    internal static Quaternion ClampNear(Quaternion local, Joint joint)
     {
         Quaternion rest = joint.LocalRotation;
         Quaternion turn = Rotation.Multiply(Rotation.Inverse(rest), local);
@@ -106,31 +102,6 @@ public static class SwingTwistLimit
         return bounded == inBone ? local : Rotation.Normalize(Rotation.Multiply(rest, Rotation.Multiply(axes, Rotation.Multiply(bounded, inverse))));
     }
 
-    /// <summary>Whether a turn is certainly within its limit, from bounds of its angles that cost no inverse function.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static bool IsWellWithin(Quaternion turn, JointLimit limit)
-    {
-        float along = (turn.Y * turn.Y) + (turn.W * turn.W);
-        float across = (turn.X * turn.X) + (turn.Z * turn.Z);
-        if (across > 0.75f || turn.Y * turn.Y > 0.25f * along)
-        {
-            return false;
-        }
-
-        // As in TryBound, with all that is compared squared and times the length of (y, w): no root and no division.
-        const float Squared = AnglePerHalfSine * AnglePerHalfSine;
-        float x = (turn.X * turn.W) + (turn.Z * turn.Y);
-        float z = (turn.Z * turn.W) - (turn.X * turn.Y);
-        float twist = turn.Y * turn.W;
-        float a = x < 0f ? limit.SwingX.Min : limit.SwingX.Max;
-        float b = z < 0f ? limit.SwingZ.Min : limit.SwingZ.Max;
-        float c = twist < 0f ? limit.Twist.Min : limit.Twist.Max;
-        float aa = a * a;
-        float bb = b * b;
-        float swing = across > 0.25f ? WideAnglePerHalfSine * WideAnglePerHalfSine : Squared;
-        return Squared * turn.Y * turn.Y <= c * c * along && swing * ((x * x * bb) + (z * z * aa)) < aa * bb * along;
-    }
-
     /// <summary>Bounds of the angles of a turn that is not large, without an inverse function: of their signs, and no nearer to 0 than they are.</summary>
     internal static bool TryBound(Quaternion turn, out float x, out float z, out float twist)
     {
@@ -144,9 +115,9 @@ public static class SwingTwistLimit
         }
 
         float inverse = 1f / (float)Math.Sqrt(along);
-        twist = AnglePerHalfSine * (turn.W < 0f ? -inverse : inverse) * turn.Y;
-        x = AnglePerHalfSine * inverse * ((turn.X * turn.W) + (turn.Z * turn.Y));
-        z = AnglePerHalfSine * inverse * ((turn.Z * turn.W) - (turn.X * turn.Y));
+        twist = SwingTwistBounds.AnglePerHalfSine * (turn.W < 0f ? -inverse : inverse) * turn.Y;
+        x = SwingTwistBounds.AnglePerHalfSine * inverse * ((turn.X * turn.W) + (turn.Z * turn.Y));
+        z = SwingTwistBounds.AnglePerHalfSine * inverse * ((turn.Z * turn.W) - (turn.X * turn.Y));
         return true;
     }
 

@@ -44,10 +44,13 @@ public static class SpringBones
     /// <param name="local">The animated pose in the parents' space; the joints are turned.</param>
     /// <param name="model">The same in model space; the joints and what hangs on them are brought up to date.</param>
     /// <exception cref="ArgumentException">The state is of another rig, a pose is not as long as the skeleton, or a number is not finite.</exception>
-    public static void Update(SpringRig rig, SpringState state, in SpringSettings settings, in RootPlace root, ReadOnlySpan<SpringCollider> colliders, float seconds, in Pose local, in Pose model) =>
+    public static void Update(SpringRig rig, SpringState state, in SpringSettings settings, in RootPlace root, ReadOnlySpan<SpringCollider> colliders, float seconds, in Pose local, in Pose model)
+    {
+        state.Tune(settings);
         Update(rig, state, settings, settings.Gravity, root, colliders, seconds, local, model);
+    }
 
-    /// <summary>The same under another acceleration than the settings have.</summary>
+    /// <summary>The same under another acceleration than the settings have, for which the state has been tuned.</summary>
     internal static void Update(SpringRig rig, SpringState state, in SpringSettings settings, Vector3 gravity, in RootPlace root, ReadOnlySpan<SpringCollider> colliders, float seconds, in Pose local, in Pose model)
     {
         local.Require(rig.Skeleton);
@@ -183,7 +186,6 @@ public static class SpringBones
     {
         float debt = state.Debt + seconds;
         int steps = (int)(debt / Substep);
-        state.Tune(settings);
         int stride = Math.Min(steps, MaxMoments - 1) + 1;
         Span<SpringMoment> moments = stackalloc SpringMoment[rig.Joints.Length * stride];
         Span<float> fractions = stackalloc float[MaxMoments];

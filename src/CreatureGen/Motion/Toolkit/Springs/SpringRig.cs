@@ -19,6 +19,8 @@ public sealed class SpringRig
     private readonly float[] along;
     private readonly int[] ends;
     private readonly Vector3[] directions;
+    private readonly LocalLimit[] limits;
+    private readonly int[] roots;
 
     /// <summary>Takes joints with everything that hangs on them.</summary>
     /// <param name="skeleton">In rest pose.</param>
@@ -56,6 +58,7 @@ public sealed class SpringRig
 
         ends = rigid.ToArray();
         joints = chosen.ToArray();
+        limits = Array.ConvertAll(joints, joint => new LocalLimit(skeleton.Joints[joint]));
         parents = new int[joints.Length];
         lengths = new float[joints.Length];
         along = new float[joints.Length];
@@ -89,6 +92,8 @@ public sealed class SpringRig
             along[i] = last > 0f ? Math.Min(before / last, 1f) : 0f;
             Length = Math.Max(Length, end[i]);
         }
+
+        roots = Array.FindAll(joints, joint => skeleton.Parents[joint] < 0 || indexOf[skeleton.Parents[joint]] < 0);
     }
 
     /// <summary>Of these joints.</summary>
@@ -102,6 +107,12 @@ public sealed class SpringRig
 
     /// <summary>Number of the parent among the joints that swing, −1 for a root.</summary>
     internal ReadOnlySpan<int> Parents => parents;
+
+    /// <summary>The joints at which the chains begin.</summary>
+    internal ReadOnlySpan<int> Roots => roots;
+
+    /// <summary>The limit of each joint.</summary>
+    internal ReadOnlySpan<LocalLimit> Limits => limits;
 
     /// <summary>Unit direction of each bone in its joint's own space.</summary>
     internal ReadOnlySpan<Vector3> Directions => directions;

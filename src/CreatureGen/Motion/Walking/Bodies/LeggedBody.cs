@@ -296,7 +296,7 @@ internal sealed class LeggedBody
         float max = SteepestRoll;
         foreach (LegRig leg in legs)
         {
-            max = leg.Lateral ? max : Math.Min(max, RollFraction * leg.DrawsIn);
+            max = leg.Lateral ? max : Math.Min(max, RollFraction * leg.Limits.DrawsIn);
         }
 
         return max;
@@ -308,7 +308,7 @@ internal sealed class LeggedBody
         foreach (LegRig leg in legs)
         {
             float outside = Math.Abs(leg.Home.X - leg.HipRest.X);
-            float room = (leg.HipRest.Y * (float)PortableMath.Sin(leg.DrawsIn)) - ((1f - leg.MinTrack) * Math.Abs(leg.Home.X));
+            float room = (leg.HipRest.Y * (float)PortableMath.Sin(leg.Limits.DrawsIn)) - ((1f - leg.MinTrack) * Math.Abs(leg.Home.X));
             max = Math.Min(max, leg.Lateral ? Math.Min(LateralSway * leg.Length, LateralSwayFraction * outside) : SwayFraction * Math.Max(room, 0f));
         }
 

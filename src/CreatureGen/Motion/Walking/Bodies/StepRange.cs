@@ -45,8 +45,8 @@ internal readonly record struct StepRange(float Aside, float Ahead)
     private static float Leaning(LegRig leg)
     {
         float inward = Math.Abs(leg.HipRest.X) - Math.Abs(leg.Home.X);
-        float inner = leg.AsideRange(Math.Min(Lean, LeanFraction * leg.DrawsIn)) - inward;
-        float outer = leg.AsideRange(Math.Min(Lean, LeanFraction * leg.DrawsOut)) + inward;
+        float inner = leg.AsideRange(Math.Min(Lean, LeanFraction * leg.Limits.DrawsIn)) - inward;
+        float outer = leg.AsideRange(Math.Min(Lean, LeanFraction * leg.Limits.DrawsOut)) + inward;
         return Math.Min(inner, outer);
     }
 

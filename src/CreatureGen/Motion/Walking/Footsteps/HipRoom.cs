@@ -1,6 +1,5 @@
 using System.Numerics;
 using CreatureGen.Maths;
-using CreatureGen.Motion.Toolkit;
 using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Motion.Walking.Legs;
 
@@ -27,7 +26,7 @@ internal static class HipRoom
     {
         LegSolver.Solve(leg, leg.Parts, chord, LegSolver.Side(leg, carrier, chord, Quaternion.Identity), 0f, 0f, out solved);
         Quaternion asked = body.Turns.Local(leg.Hip, Rotation.Multiply(Rotation.Inverse(carrier), solved.Thigh));
-        Quaternion kept = SwingTwistLimit.ClampLocal(asked, leg.HipJoint);
+        Quaternion kept = leg.Limits.Hip.Clamp(asked);
         if (kept == asked)
         {
             return true;

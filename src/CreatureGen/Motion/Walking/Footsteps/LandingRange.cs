@@ -20,9 +20,6 @@ internal static class LandingRange
     /// <summary>Part of its level distance from the hip to which a place is drawn in at most.</summary>
     private const float NearestFraction = 0.5f;
 
-    /// <summary>Part of what its hip turns to either side that a leg under the body takes up at most: the rest is for the roll of the body.</summary>
-    private const float AsideFraction = 0.85f;
-
     /// <summary>The place that a foot goes to, no farther away than its leg takes it as it comes down.</summary>
     /// <param name="body">Whose foot it is.</param>
     /// <param name="leg">Its leg.</param>
@@ -77,8 +74,8 @@ internal static class LandingRange
         float inward = leg.Side == Side.Left ? -1f : 1f;
         float home = inward * (leg.Home.X - leg.HipRest.X);
         float aside = inward * (place.X - leg.HipRest.X);
-        float outer = Math.Min(home, -leg.AsideRange(leg.DrawsOut * AsideFraction));
-        float bounded = Scalar.Clamp(aside, outer, Math.Max(home, leg.AsideRange(leg.DrawsIn * AsideFraction)));
+        float outer = Math.Min(home, -leg.LandsOut);
+        float bounded = Scalar.Clamp(aside, outer, Math.Max(home, leg.LandsIn));
         return bounded == aside ? place : new Vector3(leg.HipRest.X + (inward * bounded), place.Y, place.Z);
     }
 }

@@ -13,6 +13,7 @@ namespace CreatureGen.Motion.Walking.Legs;
 internal sealed class LegRig
 {
     private readonly LegSegments parts;
+    private readonly LegLimits limits;
 
     /// <summary>Part of the reach that a step may take up.</summary>
     private const float Stretch = 0.97f;
@@ -39,6 +40,9 @@ internal sealed class LegRig
 
     /// <summary>Part of its distance from the hip, level, to which a foot is drawn in at most.</summary>
     private const float MaxGathering = 0.6f;
+
+    /// <summary>Part of what its hip turns to either side that a leg under the body takes up at most as its foot comes down: the rest is for the roll of the body.</summary>
+    private const float LandingFraction = 0.85f;
 
     /// <summary>Height of a foot's middle as it goes past the other, part of the height to which its ball is lifted: its toes hang.</summary>
     private const float PassingHeight = 1.3f;
@@ -115,16 +119,13 @@ internal sealed class LegRig
         AcrossSign = Vec.Dot(across, Hinge) < 0f ? -1f : 1f;
         Skew = Hinge - (across * AcrossSign);
         KneeRest = skeleton.Joints[Knee].LocalRotation;
-        HipJoint = skeleton.Joints[Hip];
-        AnkleJoint = skeleton.Joints[Ankle];
-        AngleRange ankle = AnkleJoint.Limit.SwingX;
-        AnkleFolded = Rotation.FromAxisAngle(Vector3.UnitX, ankle.Max > -ankle.Min ? ankle.Max : ankle.Min);
-        BallJoint = skeleton.Joints[Ball];
+        limits = new LegLimits(skeleton, Side, Hip, Knee, Ankle, Ball);
+        LandsIn = AsideRange(limits.DrawsIn * LandingFraction);
+        LandsOut = AsideRange(limits.DrawsOut * LandingFraction);
         Vector3 a = Vec.Reject(upper, Hinge);
         Vector3 b = Vec.Reject(Shank, Hinge);
         float turn = Vec.Dot(Vec.Cross(a, b), Hinge);
         AngleRange fold = skeleton.Joints[Knee].Limit.SwingX;
-        KneeFold = new FoldLimit(fold);
         bool straight = Math.Abs(turn) < Straight * Vec.Length(a) * Vec.Length(b);
         BendSign = straight || Traits.Linkage == LegLinkage.Pantograph ? (fold.Max >= -fold.Min ? 1 : -1) : turn >= 0f ? 1 : -1;
         double bend = BendSign * PortableMath.Atan2(turn, Vec.Dot(a, b));
@@ -352,11 +353,14 @@ internal sealed class LegRig
     /// <summary>Least factor on the distance of its track from the middle that the hip allows.</summary>
     public float MinTrack { get; }
 
-    /// <summary>How far the hip draws the leg in towards the middle, radians.</summary>
-    public float DrawsIn => Side == Side.Left ? HipJoint.Limit.SwingZ.Max : -HipJoint.Limit.SwingZ.Min;
+    /// <summary>What its joints let it do.</summary>
+    public ref readonly LegLimits Limits => ref limits;
 
-    /// <summary>The same away from the middle.</summary>
-    public float DrawsOut => Side == Side.Left ? -HipJoint.Limit.SwingZ.Min : HipJoint.Limit.SwingZ.Max;
+    /// <summary>How far towards the middle from beside its hip the foot of a leg below it comes down at most, and how far away from it, metres.</summary>
+    public float LandsIn { get; }
+
+    /// <inheritdoc cref="LandsIn"/>
+    public float LandsOut { get; }
 
     /// <summary>From the ball to the middle of the sole, level.</summary>
     public Vector3 SoleMiddle { get; }
@@ -383,21 +387,6 @@ internal sealed class LegRig
 
     /// <summary>Local rotation of the knee at rest; its own X is the hinge.</summary>
     public Quaternion KneeRest { get; }
-
-    /// <summary>How far the knee turns from rest.</summary>
-    public FoldLimit KneeFold { get; }
-
-    /// <summary>Limits and rest of the hip.</summary>
-    public Joint HipJoint { get; }
-
-    /// <summary>Limits and rest of the ankle.</summary>
-    public Joint AnkleJoint { get; }
-
-    /// <summary>Turn of the ankle from rest at its limit on the side to which it folds farther.</summary>
-    public Quaternion AnkleFolded { get; }
-
-    /// <summary>Limits and rest of the ball.</summary>
-    public Joint BallJoint { get; }
 
     /// <summary>Sign of the knee's bend about the hinge.</summary>
     public int BendSign { get; }

@@ -103,7 +103,7 @@ internal static class LegSolver
         double sinThen = leg.BendSign * Math.Sqrt((1 - cosThen) * (1 + cosThen));
         double cosKnee = (cosThen * cosNow) + (sinThen * sinNow);
         double sinKnee = (sinThen * cosNow) - (cosThen * sinNow);
-        turns.Strain = 0.5f * leg.KneeFold.Clamp(ref cosKnee, ref sinKnee, 2f * tolerance);
+        turns.Strain = 0.5f * leg.Limits.Knee.Clamp(ref cosKnee, ref sinKnee, 2f * tolerance);
 
         HalfAngle.Of(cosKnee, sinKnee, out double halfCosine, out double halfSine);
         turns.Bend = (float)cosThen;
@@ -176,7 +176,7 @@ internal static class LegSolver
     /// <summary>Turns the knee, within its limits, and the shank with it.</summary>
     private static void SetKnee(LegRig leg, double cos, double sin, float tolerance, ref LegRotations turns)
     {
-        leg.KneeFold.Clamp(ref cos, ref sin, 2f * tolerance);
+        leg.Limits.Knee.Clamp(ref cos, ref sin, 2f * tolerance);
         HalfAngle.Of(cos, sin, out double halfCosine, out double halfSine);
         turns.KneeHalfSine = (float)halfSine;
         turns.Knee = new Quaternion(leg.Hinge * (float)halfSine, (float)halfCosine);

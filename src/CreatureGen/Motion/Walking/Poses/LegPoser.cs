@@ -2,7 +2,7 @@ using System;
 using System.Numerics;
 using CreatureGen.Anatomy.Legs;
 using CreatureGen.Maths;
-using CreatureGen.Motion.Toolkit;
+using CreatureGen.Motion.Toolkit.Ik;
 using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Motion.Walking.Footsteps;
 using CreatureGen.Motion.Walking.Legs;
@@ -201,7 +201,7 @@ internal sealed class LegPoser
         LegSolver.Solve(leg, parts, goal.Chord, LegSolver.Side(leg, carrier, goal.Chord, goal.Heading), goal.Slack, goal.Tolerance, out solved);
         SetHip(leg, carrier, solved, local);
         SetKnee(leg, solved, local);
-        if (Bound(local.Rotations, leg.Hip, leg.HipJoint, goal.Tolerance) <= goal.Tolerance)
+        if (Bound(local.Rotations, leg.Hip, leg.Limits.Hip, goal.Tolerance) <= goal.Tolerance)
         {
             return true;
         }
@@ -241,7 +241,7 @@ internal sealed class LegPoser
         }
 
         // The toes go along with a foot that its ankle turns; those of a flat foot stay on the ground as its heel comes off.
-        Bound(local.Rotations, leg.Ankle, leg.AnkleJoint, 0f);
+        Bound(local.Rotations, leg.Ankle, leg.Limits.Ankle, 0f);
         Quaternion kept = local.Rotations[leg.Ankle];
         float ankle = asked == kept ? 0f : Chord(asked, kept);
         astray = default;
@@ -258,30 +258,29 @@ internal sealed class LegPoser
             }
         }
 
-        excess = Math.Max(ankle, Bound(local.Rotations, leg.Ball, leg.BallJoint, 0f));
+        excess = Math.Max(ankle, Bound(local.Rotations, leg.Ball, leg.Limits.Ball, 0f));
         return metatarsus;
     }
 
     /// <summary>Takes from an ankle the fold beyond its limit, seen from that limit: seen from rest one of half a turn and more is bent the other way, or aside.</summary>
     private static void FoldBack(LegRig leg, ref Quaternion ankle)
     {
-        Quaternion folded = Rotation.Multiply(leg.AnkleJoint.LocalRotation, leg.AnkleFolded);
-        Quaternion beyond = Rotation.Multiply(Rotation.Inverse(folded), ankle);
-        if (beyond.X * beyond.W * leg.AnkleFolded.X <= 0f)
+        Quaternion beyond = Rotation.Multiply(Rotation.Inverse(leg.Limits.AnkleFolded), ankle);
+        if (beyond.X * beyond.W * leg.Limits.AnkleFold.X <= 0f)
         {
             return;
         }
 
         float scale = (beyond.W < 0f ? -1f : 1f) / (float)Math.Sqrt((beyond.X * beyond.X) + (beyond.W * beyond.W));
         var fold = new Quaternion(-beyond.X * scale, 0f, 0f, beyond.W * scale);
-        ankle = Rotation.Multiply(folded, Rotation.Multiply(beyond, fold));
+        ankle = Rotation.Multiply(leg.Limits.AnkleFolded, Rotation.Multiply(beyond, fold));
     }
 
     /// <summary>Brings a joint back towards its limit; says how far beyond it was, about half the angle in radians.</summary>
-    private static float Bound(Span<Quaternion> rotations, int index, Joint joint, float tolerance)
+    private static float Bound(Span<Quaternion> rotations, int index, in LocalLimit limit, float tolerance)
     {
         Quaternion turn = rotations[index];
-        Quaternion bounded = SwingTwistLimit.ClampLocal(turn, joint);
+        Quaternion bounded = limit.Clamp(turn);
         if (bounded == turn)
         {
             return 0f;
@@ -311,7 +310,7 @@ internal sealed class LegPoser
     /// <summary>Fold of the metatarsus that the ankle can follow. Bounded here, as an angle: folded by more than half a turn the ankle would seem to be bent the other way.</summary>
     private static float FoldOf(LegRig leg, float fold, float knee)
     {
-        AngleRange range = leg.AnkleJoint.Limit.SwingX;
+        AngleRange range = leg.Limits.AnkleRange;
         return knee + Scalar.Clamp(fold - knee, range.Min, range.Max);
     }
 }

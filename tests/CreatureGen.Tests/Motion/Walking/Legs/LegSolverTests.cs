@@ -32,7 +32,7 @@ public sealed class LegSolverTests
                     Assert.True(height < asked + (Tolerance * leg.Length), $"{seed}: raised to {height}, asked {asked}");
                     double cosine = Math.Cos(after.KneeTurn);
                     double sine = Math.Sin(after.KneeTurn);
-                    Assert.True(leg.KneeFold.Clamp(ref cosine, ref sine, 0f) < 1e-3f, $"{seed}: the knee is beyond its limits");
+                    Assert.True(leg.Limits.Knee.Clamp(ref cosine, ref sine, 0f) < 1e-3f, $"{seed}: the knee is beyond its limits");
                     raised += height > before + (0.05f * leg.Length) ? 1 : 0;
                 }
             }
@@ -119,7 +119,7 @@ public sealed class LegSolverTests
         {
             double cosine = Math.Cos(0.01 * i);
             double sine = Math.Sin(0.01 * i);
-            if (leg.KneeFold.Clamp(ref cosine, ref sine, 0f) == 0)
+            if (leg.Limits.Knee.Clamp(ref cosine, ref sine, 0f) == 0)
             {
                 turns.Knee = Rotation.FromAxisAngle(leg.Hinge, 0.01f * i);
                 turns.Shank = Rotation.Multiply(turns.Thigh, turns.Knee);

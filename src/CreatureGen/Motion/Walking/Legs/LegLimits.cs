@@ -1,0 +1,46 @@
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit.Ik;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Walking.Legs;
+
+/// <summary>What the joints of a leg let it do, side by side in memory as a leg asks for them. Fields, so that what is asked of one is not asked of a copy.</summary>
+internal readonly struct LegLimits
+{
+    /// <summary>Limits and rest of hip, ankle and ball.</summary>
+    public readonly LocalLimit Hip;
+    public readonly LocalLimit Ankle;
+    public readonly LocalLimit Ball;
+
+    /// <summary>How far the knee turns from rest.</summary>
+    public readonly FoldLimit Knee;
+
+    /// <summary>How far the ankle folds from rest.</summary>
+    public readonly AngleRange AnkleRange;
+
+    /// <summary>Turn of the ankle from rest at its limit on the side to which it folds farther.</summary>
+    public readonly Quaternion AnkleFold;
+
+    /// <summary>Local rotation of the ankle there.</summary>
+    public readonly Quaternion AnkleFolded;
+
+    /// <summary>How far the hip draws the leg in towards the middle, and away from it, radians.</summary>
+    public readonly float DrawsIn;
+    public readonly float DrawsOut;
+
+    /// <summary>Those of a leg.</summary>
+    public LegLimits(Skeleton skeleton, Side side, int hip, int knee, int ankle, int ball)
+    {
+        Hip = new LocalLimit(skeleton.Joints[hip]);
+        Ankle = new LocalLimit(skeleton.Joints[ankle]);
+        Ball = new LocalLimit(skeleton.Joints[ball]);
+        Knee = new FoldLimit(skeleton.Joints[knee].Limit.SwingX);
+        AnkleRange = skeleton.Joints[ankle].Limit.SwingX;
+        AnkleFold = Rotation.FromAxisAngle(Vector3.UnitX, AnkleRange.Max > -AnkleRange.Min ? AnkleRange.Max : AnkleRange.Min);
+        AnkleFolded = Rotation.Multiply(skeleton.Joints[ankle].LocalRotation, AnkleFold);
+        AngleRange aside = skeleton.Joints[hip].Limit.SwingZ;
+        (DrawsIn, DrawsOut) = side == Side.Left ? (aside.Max, -aside.Min) : (-aside.Min, aside.Max);
+    }
+}
