@@ -65,7 +65,7 @@ internal sealed class Actor
     /// <param name="settings">Gravity.</param>
     /// <param name="idles">How readily it does something by itself; 0 not at all.</param>
     /// <returns>What it is to do: to stand, where an act needs that.</returns>
-    public MotionInput Begin(float dt, in RootPlace root, Locomotion locomotion, in MotionInput input, in MotionSettings settings, float idles)
+    public MotionInput Begin(float dt, in RootPlace root, in Locomotion locomotion, in MotionInput input, in MotionSettings settings, float idles)
     {
         Keep();
         FallingMode? mode = locomotion.Mode;
@@ -159,7 +159,7 @@ internal sealed class Actor
     }
 
     /// <summary>Begins, leaves and breaks off what it does by itself.</summary>
-    private void Idle(float dt, in RootPlace root, Locomotion locomotion, in MotionSettings settings, float idles)
+    private void Idle(float dt, in RootPlace root, in Locomotion locomotion, in MotionSettings settings, float idles)
     {
         if (IdleActs == null)
         {

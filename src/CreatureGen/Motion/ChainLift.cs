@@ -41,7 +41,7 @@ internal static class ChainLift
     private static bool Raise(SpringRig rig, int bone, float min, float rise, in Pose local, in Pose model)
     {
         int joint = rig.Joints[bone];
-        Vector3 tip = model.Positions[joint] + Rotation.Rotate(model.Rotations[joint], rig.Directions[bone] * rig.Lengths[bone]);
+        Vector3 tip = model.Positions[joint] + Rotation.Rotate(model.Rotations[joint], rig.Bones[bone].Direction * rig.Bones[bone].Length);
         float deep = min + (rise * tip.Z) - tip.Y;
         if (!(deep > 0f))
         {
@@ -49,23 +49,23 @@ internal static class ChainLift
         }
 
         int root = bone;
-        while (rig.Parents[root] >= 0)
+        while (rig.Bones[root].Parent >= 0)
         {
-            root = rig.Parents[root];
+            root = rig.Bones[root].Parent;
         }
 
         Vector3 way = tip - model.Positions[rig.Joints[root]];
         way.Y = 0f;
         way = Vec.Normalize(way, -Vector3.UnitZ);
         float lever = 0f;
-        for (int k = bone; k >= 0; k = rig.Parents[k])
+        for (int k = bone; k >= 0; k = rig.Bones[k].Parent)
         {
             lever += Math.Max(Vec.Dot(tip - model.Positions[rig.Joints[k]], way), 0f);
         }
 
         float angle = Math.Min(deep / Math.Max(lever, 1e-6f), MaxTurn);
         Quaternion turn = AxisRotation.About(Vec.Cross(way, Vector3.UnitY), angle);
-        for (int k = bone; k >= 0; k = rig.Parents[k])
+        for (int k = bone; k >= 0; k = rig.Bones[k].Parent)
         {
             Turn(rig.Skeleton, rig.Joints[k], turn, local, model);
         }

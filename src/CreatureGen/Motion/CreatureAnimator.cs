@@ -34,7 +34,7 @@ public sealed partial class CreatureAnimator
     private readonly Quaternion[] modelRotations;
     private readonly Vector3[] modelPositions;
     private readonly EventQueue events;
-    private readonly Locomotion locomotion;
+    private Locomotion locomotion;
     private readonly SecondaryMotion secondary;
     private readonly HeadGaze? headGaze;
     private readonly GroundGate gate = new();

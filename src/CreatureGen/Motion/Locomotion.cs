@@ -16,9 +16,9 @@ namespace CreatureGen.Motion;
 /// The way in which a creature moves, wholly or not at all: when a game's ground throws in the middle of a movement, all that the creature remembers, and its pose, are as they were before.
 /// </summary>
 /// <remarks>
-/// There are two of everything: what moves, and what was before. They change places when a movement fails. Over the library's own ground, which never throws, nothing is kept, and what was before is not even made: that is a quarter of an animator's memory.
+/// There are two of everything: what moves, and what was before. They change places when a movement fails. Over the library's own ground, which never throws, nothing is kept, and what was before is not even made: that is a quarter of an animator's memory. A part of the animator and no object of its own, which would be fetched from memory for each of a crowd.
 /// </remarks>
-internal sealed class Locomotion
+internal struct Locomotion
 {
     private readonly MotionProfile profile;
     private readonly EventQueue events;

@@ -5,7 +5,7 @@ using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Subjects;
 using CreatureGen.Motion.Toolkit;
-using CreatureGen.Motion.Toolkit.Ik;
+using CreatureGen.Motion.Toolkit.Springs;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion;
@@ -113,13 +113,11 @@ internal sealed class SecondaryMotion
     private static bool KeepWithinLimits(SpringRig rig, in Pose local, in Pose model)
     {
         int first = -1;
-        ReadOnlySpan<LocalLimit> limits = rig.Limits;
-        ReadOnlySpan<int> joints = rig.Joints;
-        for (int i = 0; i < limits.Length; i++)
+        foreach (ref readonly SpringJoint bone in rig.Bones)
         {
-            int joint = joints[i];
+            int joint = bone.Joint;
             Quaternion turn = local.Rotations[joint];
-            Quaternion bounded = limits[i].Clamp(turn);
+            Quaternion bounded = bone.Limit.Clamp(turn);
             if (bounded != turn)
             {
                 local.Rotations[joint] = bounded;
@@ -153,7 +151,8 @@ internal sealed class SecondaryMotion
     /// <summary>How far the skin of each bone is below it, beyond what all of the chain keeps from the ground.</summary>
     private static ChainCurve SkinBelow(MotionSubject subject, SpringRig rig)
     {
-        float[] below = BoneSkin.Below(subject, rig.Joints, rig.Directions, rig.Lengths);
+        SpringJoint[] bones = rig.Bones.ToArray();
+        float[] below = BoneSkin.Below(subject, rig.Joints, Array.ConvertAll(bones, bone => bone.Direction), Array.ConvertAll(bones, bone => bone.Length));
         var depths = new SortedDictionary<float, float>();
         for (int i = 0; i < below.Length; i++)
         {

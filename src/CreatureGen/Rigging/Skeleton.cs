@@ -70,7 +70,7 @@ public sealed class Skeleton
     public IReadOnlyList<Joint> Joints => joints;
 
     /// <summary>Number of joints.</summary>
-    public int Count => joints.Length;
+    public int Count => parents.Length;
 
     /// <summary>The parent of each joint; −1 for joint 0.</summary>
     public ReadOnlySpan<int> Parents => parents;

@@ -94,8 +94,8 @@ internal static class VrmSprings
             float stiffness = Number(item, "stiffness", 1f);
 
             // The push towards rest makes the bone longer by this part of it before it is brought back to its length, which takes as much from what goes across.
-            float stretch = 1f + (stiffness / (Rate * rig.Lengths[i]));
-            frequencies[i] = MathF.Sqrt(Rate * stiffness / (rig.Lengths[i] * stretch)) / (float)PortableMath.Tau;
+            float stretch = 1f + (stiffness / (Rate * rig.Bones[i].Length));
+            frequencies[i] = MathF.Sqrt(Rate * stiffness / (rig.Bones[i].Length * stretch)) / (float)PortableMath.Tau;
             drags[i] = Rate * (float)PortableMath.Log(stretch / (1 - Math.Min(Number(item, "dragForce", 0.5f), MaxDrag)));
             radii[i] = Number(item, "hitRadius", 0f) * joints.Scales[chain[i]];
             float power = Rate * Number(item, "gravityPower", 0f) / stretch;

@@ -31,13 +31,14 @@ internal sealed partial class WalkingMode
             planner.SetAhead(leg, ahead * body.LegLength);
         }
 
-        PoseFeet(placement, dt, settings, layer, idle.Rest);
+        Span<FootPose> poses = stackalloc FootPose[body.Legs.Length];
+        PoseFeet(placement, dt, settings, layer, idle.Rest, poses);
         idle = idle with { Breath = idle.Breath - Sink };
         Raise(dt, settings.Gravity);
         var context = new BodyContext(clock, velocity, settings, dt, activity, idle, acceleration, Raised, Bow, Facing);
         placer.Place(context, layer, planner.Feet, poses);
         poser.PoseTrunk(placer, local);
-        PoseLegs(placement, dt, settings, ground, local);
+        PoseLegs(placement, dt, settings, ground, poses, local);
         HeadPosture.Pose(body, turns, placer, context, local);
         ArmSwing.Pose(body, turns, placer, context, local);
         FlipperPosture.Pose(body, turns, placer, context, local);
@@ -58,7 +59,14 @@ internal sealed partial class WalkingMode
         arrived = false;
     }
 
-    private void PoseFeet(in RootPlace placement, float dt, in MotionSettings settings, BodyLayer? layer, float rest)
+    /// <summary>Finds where feet are, of whom nothing is posed yet.</summary>
+    private void PlaceFeet(in RootPlace placement, in MotionSettings settings, BodyLayer? layer)
+    {
+        Span<FootPose> poses = stackalloc FootPose[body.Legs.Length];
+        PoseFeet(placement, 0f, settings, layer, 0f, poses);
+    }
+
+    private void PoseFeet(in RootPlace placement, float dt, in MotionSettings settings, BodyLayer? layer, float rest, Span<FootPose> poses)
     {
         GaitNumbers numbers = Numbers(dt, settings);
         for (int i = 0; i < poses.Length; i++)
@@ -72,7 +80,7 @@ internal sealed partial class WalkingMode
         }
     }
 
-    private void PoseLegs(in RootPlace placement, float dt, in MotionSettings settings, IGround? ground, in Pose local)
+    private void PoseLegs(in RootPlace placement, float dt, in MotionSettings settings, IGround? ground, Span<FootPose> poses, in Pose local)
     {
         float tuck = clock.Shape.Tuck * activity;
         float trail = clock.TrailIn(settings.Gravity) * activity;

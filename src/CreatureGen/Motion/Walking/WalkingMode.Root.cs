@@ -137,7 +137,7 @@ internal sealed partial class WalkingMode
         going = true;
         standing = true;
         arrived = true;
-        PoseFeet(place, 0f, settings, null, 0f);
+        PlaceFeet(place, settings, null);
         placer.Reset(planner.Feet);
     }
 

@@ -58,7 +58,6 @@ internal sealed partial class WalkingMode : ILocomotionMode
     private readonly BodyPlacer placer;
     private readonly RestRotations turns;
     private readonly LegPoser poser;
-    private readonly FootPose[] poses;
     private readonly CarriedWings? wings;
     private readonly bool winged;
     private RootVelocity velocity;
@@ -94,7 +93,6 @@ internal sealed partial class WalkingMode : ILocomotionMode
         placer = new BodyPlacer(body);
         turns = body.Turns;
         poser = new LegPoser(body, turns);
-        poses = new FootPose[body.Legs.Length];
     }
 
     public Gait Gait => clock.Gait;
@@ -192,7 +190,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
             clock.Phase = 0;
             clock.Slide(0f, velocity, own.Gravity, Math.Min(speed / walking, 1f), 0f, own.Walking.Stride);
             planner.PlaceInStride(new StepContext(place, velocity, clock, own, ground, 0f, 0f, 0f, activity, true, 0f));
-            PoseFeet(place, 0f, own, layer, 0f);
+            PlaceFeet(place, own, layer);
             placer.Reset(planner.Feet);
         }
 
@@ -232,7 +230,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
         clock.Restart(gaits.Steps[0].Gait, 0f, Lead.Left);
         clock.Slide(0f, velocity, settings.Gravity, 0f, 0f);
         planner.PlaceAll(new StepContext(placement, velocity, clock, settings, ground, 0f, 0f, 0f, 0f, false, 0f));
-        PoseFeet(placement, 0f, settings, layer, 0f);
+        PlaceFeet(placement, settings, layer);
         placer.Reset(planner.Feet);
         standing = true;
         arrived = true;

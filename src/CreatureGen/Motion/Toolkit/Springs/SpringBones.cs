@@ -109,16 +109,16 @@ public static class SpringBones
     private static void ReadModelPose(SpringRig rig, SpringState state, in RootPlace root, in Pose model)
     {
         float nought = 0f;
-        ReadOnlySpan<int> joints = rig.Joints;
+        ReadOnlySpan<SpringJoint> joints = rig.Bones;
         Span<SpringBone> bones = state.Bones.AsSpan(0, joints.Length);
         for (int i = 0; i < bones.Length; i++)
         {
             ref SpringBone bone = ref bones[i];
-            int joint = joints[i];
+            int joint = joints[i].Joint;
             bone.PastPosition = bone.NowPosition;
             bone.PastAlong = bone.NowAlong;
             Vector3 p = Rotation.Rotate(root.Rotation, model.Positions[joint]) * root.Scale;
-            Vector3 own = rig.Directions[i];
+            Vector3 own = joints[i].Direction;
             Vector3 inModel = own == Vector3.UnitY ? UnitRotation.BoneAxis(model.Rotations[joint]) : Rotation.Rotate(model.Rotations[joint], own);
             Vector3 along = Rotation.Rotate(root.Rotation, inModel);
             nought += ((along.X + along.Y + along.Z) + (p.X + p.Y + p.Z)) * 0f;
@@ -144,7 +144,7 @@ public static class SpringBones
             bone.Offset = Vector3.Zero;
             bone.Velocity = Vector3.Zero;
             bone.GoalVelocity = Vector3.Zero;
-            bone.Goal = bone.NowPosition + (bone.NowAlong * (rig.Lengths[i] * root.Scale));
+            bone.Goal = bone.NowPosition + (bone.NowAlong * (rig.Bones[i].Length * root.Scale));
         }
     }
 
@@ -238,8 +238,9 @@ public static class SpringBones
     private static void Advance(SpringRig rig, SpringState state, in SpringSettings settings, float scale, ReadOnlySpan<SpringCollider> colliders, int index, ReadOnlySpan<float> fractions, Span<SpringMoment> moments, int stride)
     {
         const float PerSecond = 1f / Substep;
-        int parent = rig.Parents[index];
-        float length = rig.Lengths[index] * scale;
+        ref readonly SpringJoint joint = ref rig.Bones[index];
+        int parent = joint.Parent;
+        float length = joint.Length * scale;
         float width = length * state.Width;
         ref SpringBone bone = ref state.Bones[index];
         float radius = bone.Radius * scale;
@@ -275,11 +276,12 @@ public static class SpringBones
     /// <summary>Finds how a bone is at the moment of the frame, after the last substep and before the next; its parent has been found already.</summary>
     private static void Foresee(SpringRig rig, SpringState state, in SpringSettings settings, float scale, ReadOnlySpan<SpringCollider> colliders, int index, Span<SpringMoment> moments, int stride)
     {
-        float length = rig.Lengths[index] * scale;
+        ref readonly SpringJoint joint = ref rig.Bones[index];
+        float length = joint.Length * scale;
         ref SpringBone bone = ref state.Bones[index];
         ref SpringMoment moment = ref moments[(index * stride) + stride - 1];
         moment.Animated = bone.NowPosition;
-        Quaternion carried = Carried(ref moment, moments, (rig.Parents[index] * stride) + stride - 1, settings.Inherit, out float squared);
+        Quaternion carried = Carried(ref moment, moments, (joint.Parent * stride) + stride - 1, settings.Inherit, out float squared);
         Vector3 along = SimdKernels.RotateByAny(carried, squared, bone.NowAlong);
         Vector3 tail = along * length;
         bone.Shown = moment.Place + tail;
@@ -298,10 +300,10 @@ public static class SpringBones
     private static void Show(SpringRig rig, in SpringSettings settings, in RootPlace root, int index, Quaternion deviation, in Pose local, in Pose model)
     {
         Quaternion shown = settings.Weight < 1f ? Rotation.Slerp(Quaternion.Identity, deviation, settings.Weight) : deviation;
-        int joint = rig.Joints[index];
+        int joint = rig.Bones[index].Joint;
         Quaternion turn = Rotation.Multiply(Rotation.Inverse(root.Rotation), Rotation.Multiply(shown, root.Rotation));
         Quaternion inModel = UnitRotation.Renormalize(Rotation.Multiply(turn, model.Rotations[joint]));
-        int parent = rig.Skeleton.Parents[joint];
+        int parent = rig.Bones[index].Carrier;
         model.Rotations[joint] = inModel;
         if (parent < 0)
         {

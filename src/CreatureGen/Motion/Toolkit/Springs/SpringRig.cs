@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit.Ik;
+using CreatureGen.Motion.Toolkit.Springs;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Toolkit;
@@ -14,12 +15,9 @@ public sealed class SpringRig
     private const float VirtualTip = 0.5f;
 
     private readonly int[] joints;
-    private readonly int[] parents;
-    private readonly float[] lengths;
     private readonly float[] along;
     private readonly int[] ends;
-    private readonly Vector3[] directions;
-    private readonly LocalLimit[] limits;
+    private readonly SpringJoint[] bones;
     private readonly int[] roots;
 
     /// <summary>Takes joints with everything that hangs on them.</summary>
@@ -58,42 +56,43 @@ public sealed class SpringRig
 
         ends = rigid.ToArray();
         joints = chosen.ToArray();
-        limits = Array.ConvertAll(joints, joint => new LocalLimit(skeleton.Joints[joint]));
-        parents = new int[joints.Length];
-        lengths = new float[joints.Length];
+        bones = new SpringJoint[joints.Length];
         along = new float[joints.Length];
-        directions = new Vector3[joints.Length];
         float[] end = new float[joints.Length];
         for (int i = 0; i < joints.Length; i++)
         {
-            int parent = skeleton.Parents[joints[i]];
-            parents[i] = parent >= 0 ? indexOf[parent] : -1;
+            ref SpringJoint bone = ref bones[i];
+            bone.Joint = joints[i];
+            bone.Carrier = skeleton.Parents[joints[i]];
+            bone.Parent = bone.Carrier >= 0 ? indexOf[bone.Carrier] : -1;
             Vector3 way = tips.Length > 0 ? skeleton.LocalPositions[tips[joints[i]]] : Vector3.Zero;
-            lengths[i] = way == Vector3.Zero ? Tail(skeleton, joints[i]) : Vec.Length(way);
-            directions[i] = Vec.Normalize(way, skeleton.Joints[joints[i]].Along);
-            end[i] = lengths[i] + (parents[i] >= 0 ? end[parents[i]] : 0f);
+            bone.Length = way == Vector3.Zero ? Tail(skeleton, joints[i]) : Vec.Length(way);
+            bone.Direction = Vec.Normalize(way, skeleton.Joints[joints[i]].Along);
+            bone.Limit = new LocalLimit(skeleton.Joints[joints[i]]);
+            end[i] = bone.Length + (bone.Parent >= 0 ? end[bone.Parent] : 0f);
         }
 
         // How far out the farthest tip below each bone is, then each bone's own place on the way there.
         float[] farthest = (float[])end.Clone();
         for (int i = joints.Length - 1; i > 0; i--)
         {
-            if (parents[i] >= 0)
+            int parent = bones[i].Parent;
+            if (parent >= 0)
             {
-                farthest[parents[i]] = Math.Max(farthest[parents[i]], farthest[i]);
+                farthest[parent] = Math.Max(farthest[parent], farthest[i]);
             }
         }
 
         for (int i = 0; i < joints.Length; i++)
         {
-            farthest[i] = parents[i] >= 0 ? farthest[parents[i]] : farthest[i];
-            float before = end[i] - lengths[i];
-            float last = farthest[i] - lengths[Outermost(i)];
+            farthest[i] = bones[i].Parent >= 0 ? farthest[bones[i].Parent] : farthest[i];
+            float before = end[i] - bones[i].Length;
+            float last = farthest[i] - bones[Outermost(i)].Length;
             along[i] = last > 0f ? Math.Min(before / last, 1f) : 0f;
             Length = Math.Max(Length, end[i]);
         }
 
-        roots = Array.FindAll(joints, joint => skeleton.Parents[joint] < 0 || indexOf[skeleton.Parents[joint]] < 0);
+        roots = Array.ConvertAll(Array.FindAll(bones, bone => bone.Parent < 0), bone => bone.Joint);
     }
 
     /// <summary>Of these joints.</summary>
@@ -105,20 +104,11 @@ public sealed class SpringRig
     /// <summary>Length of the longest chain, model metres.</summary>
     public float Length { get; }
 
-    /// <summary>Number of the parent among the joints that swing, −1 for a root.</summary>
-    internal ReadOnlySpan<int> Parents => parents;
+    /// <summary>What is known of each of them.</summary>
+    internal ReadOnlySpan<SpringJoint> Bones => bones;
 
     /// <summary>The joints at which the chains begin.</summary>
     internal ReadOnlySpan<int> Roots => roots;
-
-    /// <summary>The limit of each joint.</summary>
-    internal ReadOnlySpan<LocalLimit> Limits => limits;
-
-    /// <summary>Unit direction of each bone in its joint's own space.</summary>
-    internal ReadOnlySpan<Vector3> Directions => directions;
-
-    /// <summary>From each joint to its tip, along its bone, model metres.</summary>
-    internal ReadOnlySpan<float> Lengths => lengths;
 
     /// <summary>What hangs on the joints and does not swing, parents first.</summary>
     internal ReadOnlySpan<int> Ends => ends;
@@ -207,7 +197,7 @@ public sealed class SpringRig
     {
         for (int i = bone + 1; i < joints.Length; i++)
         {
-            if (parents[i] == bone)
+            if (bones[i].Parent == bone)
             {
                 bone = i;
             }

@@ -8,21 +8,18 @@ namespace CreatureGen.Motion.Walking.Bodies;
 /// <summary>Writes turns given in the model's axes at rest as local rotations: a joint turned by R about the model's axes, relative to its parent's turn.</summary>
 internal sealed class RestRotations
 {
-    private readonly Quaternion[] before;
-    private readonly Quaternion[] after;
-    private readonly Vector3[] positions;
+    private readonly Skeleton skeleton;
+    private readonly RestFrame[] frames;
 
     public RestRotations(Skeleton skeleton)
     {
-        int count = skeleton.Count;
-        before = new Quaternion[count];
-        after = new Quaternion[count];
-        positions = skeleton.LocalPositions.ToArray();
-        for (int i = 0; i < count; i++)
+        this.skeleton = skeleton;
+        frames = new RestFrame[skeleton.Count];
+        for (int i = 0; i < frames.Length; i++)
         {
             int parent = skeleton.Parents[i];
-            before[i] = parent < 0 ? Quaternion.Identity : Rotation.Inverse(skeleton.ModelRotations[parent]);
-            after[i] = skeleton.ModelRotations[i];
+            frames[i].Before = parent < 0 ? Quaternion.Identity : Rotation.Inverse(skeleton.ModelRotations[parent]);
+            frames[i].After = skeleton.ModelRotations[i];
         }
     }
 
@@ -32,7 +29,11 @@ internal sealed class RestRotations
 
     /// <summary>The local rotation of a joint that is turned away from rest.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Quaternion Local(int joint, Quaternion turn) => Rotation.Multiply(before[joint], Rotation.Multiply(turn, after[joint]));
+    public Quaternion Local(int joint, Quaternion turn)
+    {
+        ref readonly RestFrame frame = ref frames[joint];
+        return Rotation.Multiply(frame.Before, Rotation.Multiply(turn, frame.After));
+    }
 
     /// <summary>How far a joint is turned away from rest.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -40,10 +41,20 @@ internal sealed class RestRotations
 
     /// <summary>How far a joint with a local rotation is turned away from rest.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Quaternion Of(int joint, Quaternion local) =>
-        UnitRotation.Renormalize(Rotation.Multiply(Rotation.Multiply(Rotation.Inverse(before[joint]), local), Rotation.Inverse(after[joint])));
+    public Quaternion Of(int joint, Quaternion local)
+    {
+        ref readonly RestFrame frame = ref frames[joint];
+        return UnitRotation.Renormalize(Rotation.Multiply(Rotation.Multiply(Rotation.Inverse(frame.Before), local), Rotation.Inverse(frame.After)));
+    }
 
     /// <summary>Slides a joint away from rest.</summary>
     public void Slide(in Pose local, int joint, Vector3 slide) =>
-        local.Positions[joint] = positions[joint] + Rotation.Rotate(before[joint], slide);
+        local.Positions[joint] = skeleton.LocalPositions[joint] + Rotation.Rotate(frames[joint].Before, slide);
+
+    /// <summary>From the axes of the model to those of a joint's parent, and from those of the joint to the model's, at rest: side by side, as they are asked for together.</summary>
+    private struct RestFrame
+    {
+        public Quaternion Before;
+        public Quaternion After;
+    }
 }

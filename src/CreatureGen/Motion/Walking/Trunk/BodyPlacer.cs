@@ -39,7 +39,7 @@ internal sealed class BodyPlacer
 
     /// <summary>Sums over the legs, by the names of <see cref="LegSums"/>.</summary>
     private readonly FourierSums sums = new();
-    private readonly SteadyGait summed;
+    private SteadyGait summed;
     private readonly LegSlack slack;
     private float slope;
     private TurnBend turnBend;
