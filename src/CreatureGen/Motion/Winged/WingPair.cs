@@ -103,12 +103,17 @@ internal sealed class WingPair
                 chain.Draw(local, k, Scalar.Lerp(folded.LengthOf(k - 1), 1f, (float)open));
             }
 
-            Write(local, Side.Left, k, beat, stroke, open, k == 0 ? lift : 0);
-            Write(local, Side.Right, k, beat, stroke, open, k == 0 ? lift : 0);
+            // Straight ahead both wings lie alike: what costs most of a wing is found once.
+            bool alike = stroke.Steer == 0 && stroke.LiftLeft == stroke.LiftRight;
+            Quaternion left = Turn(Side.Left, k, beat, stroke, open, k == 0 ? lift : 0);
+            Quaternion right = alike ? left : Turn(Side.Right, k, beat, stroke, open, k == 0 ? lift : 0);
+            chain.Write(local, Side.Left, k, left);
+            chain.Write(local, Side.Right, k, right);
         }
     }
 
-    private void Write(in Pose local, Side side, int k, in WingBeat beat, in WingStroke stroke, double open, double lift)
+    /// <summary>How a joint is turned, of the wing of a side as if it were the left one.</summary>
+    private Quaternion Turn(Side side, int k, in WingBeat beat, in WingStroke stroke, double open, double lift)
     {
         double inside = side == Side.Left ? stroke.Steer : -stroke.Steer;
         Beating(k, beat, stroke, inside, out double raise, out double sweep, out double twist);
@@ -128,7 +133,7 @@ internal sealed class WingPair
             spread = k == 0 ? Rotation.Multiply(AxisRotation.Roll((4 * FoldLift * open * (1 - open)) + ((1 - open) * (side == Side.Left ? stroke.LiftLeft : stroke.LiftRight))), way) : way;
         }
 
-        chain.Write(local, side, k, spread);
+        return spread;
     }
 
     private void Beating(int joint, in WingBeat b, in WingStroke stroke, double inside, out double raise, out double sweep, out double twist)

@@ -15,8 +15,8 @@ internal readonly struct AxialBone
         Mass = mass;
     }
 
-    /// <summary>Writes its joint.</summary>
-    public JointRotation Turn { get; }
+    /// <summary>Writes its joint. A field: what a property is asked for is done on a copy.</summary>
+    public readonly JointRotation Turn;
 
     /// <summary>The bone that carries it, −1 for the body's root.</summary>
     public int Parent { get; }

@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit.Ik;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Toolkit.Chains;
@@ -18,9 +19,17 @@ internal readonly struct SoftLimit
     /// <summary>Radians; a range that is less counts as so much where ranges are compared.</summary>
     private const double MinRange = 1e-6;
 
-    private readonly JointLimit limit;
+    /// <summary>Part of the way to the end of a range up to which a rotation is told to be free without a root or a division: a little less than it is.</summary>
+    private const float CertainlyFree = 0.84f;
 
-    public SoftLimit(JointLimit limit) => this.limit = limit;
+    private readonly JointLimit limit;
+    private readonly SwingTwistBounds free;
+
+    public SoftLimit(JointLimit limit)
+    {
+        this.limit = limit;
+        free = new SwingTwistBounds(limit, CertainlyFree);
+    }
 
     /// <summary>The angles of a rotation about its X and Z (swing) and Y (twist), radians.</summary>
     public static void Angles(Quaternion q, out double x, out double twist, out double z)
@@ -34,7 +43,10 @@ internal readonly struct SoftLimit
     }
 
     /// <summary>Whether a rotation is certainly left as it is: told without an inverse function.</summary>
-    public bool Leaves(Quaternion q) =>
+    public bool Leaves(Quaternion q) => free.HoldSmall(q) || LeavesNear(q);
+
+    /// <summary>The same of what is not far from where it is bent back, or large.</summary>
+    private bool LeavesNear(Quaternion q) =>
         SwingTwistLimit.TryBound(q, out float x, out float z, out float twist) && Swung(x, z) <= Free && twist >= (float)Free * limit.Twist.Min && twist <= (float)Free * limit.Twist.Max;
 
     /// <summary>The rotation within the limit.</summary>

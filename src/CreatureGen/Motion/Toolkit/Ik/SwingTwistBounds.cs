@@ -32,6 +32,17 @@ internal readonly struct SwingTwistBounds
         maxTwist = limit.Twist.Max * limit.Twist.Max;
     }
 
+    /// <summary>Those of a part of a limit.</summary>
+    public SwingTwistBounds(JointLimit limit, float part)
+        : this(new JointLimit(Part(limit.SwingX, part), Part(limit.SwingZ, part), Part(limit.Twist, part)))
+    {
+    }
+
+    /// <summary>Whether a turn is certainly within, and its swing no more than 60°.</summary>
+    /// <param name="turn">Unit quaternion, in the joint's own axes: rest⁻¹ · local.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool HoldSmall(Quaternion turn) => (turn.X * turn.X) + (turn.Z * turn.Z) <= 0.25f && Hold(turn);
+
     /// <summary>Whether a turn is certainly within.</summary>
     /// <param name="turn">Unit quaternion, in the joint's own axes: rest⁻¹ · local.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -55,4 +66,6 @@ internal readonly struct SwingTwistBounds
         float swing = across > 0.25f ? WideAnglePerHalfSine * WideAnglePerHalfSine : Squared;
         return Squared * turn.Y * turn.Y <= cc * along && swing * ((x * x * bb) + (z * z * aa)) < aa * bb * along;
     }
+
+    private static AngleRange Part(AngleRange range, float part) => new(range.Min * part, range.Max * part);
 }

@@ -3,6 +3,7 @@ using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit;
 using CreatureGen.Motion.Toolkit.Chains;
+using CreatureGen.Motion.Toolkit.Ik;
 using CreatureGen.Rigging;
 using CreatureGen.Seeding;
 using Xunit;
@@ -34,6 +35,32 @@ public sealed class SoftLimitTests
             Assert.InRange(z, lopsided.SwingZ.Min - 1e-5, lopsided.SwingZ.Max + 1e-5);
             Assert.InRange(twist, lopsided.Twist.Min - 1e-5, lopsided.Twist.Max + 1e-5);
         }
+    }
+
+    [Fact]
+    public void What_is_told_to_be_free_without_a_root_is_free_as_it_is_measured()
+    {
+        var limit = new SoftLimit(lopsided);
+        var bounds = new SwingTwistBounds(lopsided, 0.84f);
+        var random = new RandomStream(7);
+        int held = 0;
+        for (int i = 0; i < 20000; i++)
+        {
+            var axis = Vec.Normalize(new Vector3((float)random.Uniform(-1, 1), (float)random.Uniform(-1, 1), (float)random.Uniform(-1, 1)), Vector3.UnitX);
+            Quaternion turn = Rotation.FromAxisAngle(axis, random.Uniform(-1.5, 1.5));
+            if (bounds.HoldSmall(turn))
+            {
+                held++;
+                SoftLimit.Angles(turn, out double x, out double twist, out double z);
+                double across = x / (x < 0 ? lopsided.SwingX.Min : lopsided.SwingX.Max);
+                double aside = z / (z < 0 ? lopsided.SwingZ.Min : lopsided.SwingZ.Max);
+                Assert.InRange(Math.Sqrt((across * across) + (aside * aside)), 0, 0.85);
+                Assert.InRange(twist, 0.85 * lopsided.Twist.Min, 0.85 * lopsided.Twist.Max);
+                Assert.Equal(turn, limit.Apply(turn));
+            }
+        }
+
+        Assert.InRange(held, 200, 19000);
     }
 
     [Fact]
