@@ -51,7 +51,7 @@ internal sealed class BodySkin
             tailStep += shape.Step[i] / 8;
         }
 
-        ValueList<HeadBump> relief = Girdles.Of(creature);
+        ValueList<HeadBump> relief = Girdles.Of(creature, shape);
         for (int i = 0; i < BodyGrid.Rings; i++)
         {
             if (shape.TopExponent[i] != topExponent || shape.BottomExponent[i] != bottomExponent)

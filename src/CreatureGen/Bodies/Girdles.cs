@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using CreatureGen.Anatomy;
 using CreatureGen.Anatomy.Legs;
@@ -49,8 +50,33 @@ internal static class Girdles
         new(Ring: 5, Segment: Belly, RingSpread: 3, SegmentSpread: 6, Amount: -0.38),  // vent
     };
 
+    // Share of the first body from which on a torso keeps its line of the back, and at which a straight one is given all of another: mixed ones even one another out.
+    private const double Pure = 0.88;
+    private const double Mixed = 0.75;
+
+    // Rise and fall of the line of the back between the girdles, in depths of the trunk, from which on it is none of a plank, and at which it is all of one.
+    private const double Lively = 0.1;
+    private const double Straight = 0.03;
+
+    // What a straight back over legs under it is given, at shoulders and at hips.
+    private static readonly HeadBump[] withers =
+    {
+        new(Ring: -0.4, Segment: Back, RingSpread: 2.6, SegmentSpread: Broad, Amount: 0.13),  // withers
+        new(Ring: 6, Segment: Back, RingSpread: 3.4, SegmentSpread: Broad, Amount: -0.17),  // dip behind them
+        new(Ring: -1.4, Segment: 4.6, RingSpread: 1.7, SegmentSpread: 1.9, Amount: 0.06),  // shoulder blade
+    };
+
+    private static readonly HeadBump[] croup =
+    {
+        new(Ring: -1.6, Segment: Back, RingSpread: 2, SegmentSpread: Broad, Amount: 0.13),  // croup
+        new(Ring: -0.4, Segment: 5.6, RingSpread: 2.2, SegmentSpread: 2.4, Amount: 0.06),  // haunch
+        new(Ring: -3.6, Segment: Belly, RingSpread: 2.8, SegmentSpread: Broad, Amount: -0.2),  // groin
+    };
+
     /// <summary>The relief of a creature's torso.</summary>
-    public static ValueList<HeadBump> Of(CreatureBlueprint creature)
+    /// <param name="creature">The creature.</param>
+    /// <param name="shape">Its sections.</param>
+    public static ValueList<HeadBump> Of(CreatureBlueprint creature, BodyShape shape)
     {
         var bumps = new List<HeadBump>();
         BodyBlend blend = creature.Body.Blend;
@@ -72,8 +98,38 @@ internal static class Girdles
             }
         }
 
+        double plank = (1 - bare) * Scalar.Smooth((Pure - fractions[0]) / (Pure - Mixed));
+        if (legs.Count > 1 && plank > 0 && creature.Body.Shell.Style == ShellStyle.None && legs.TrueForAll(leg => LegKinds.Of(leg.Archetype).Build.Posture == LimbPosture.Under))
+        {
+            plank *= Scalar.Clamp((Lively - Liveliness(shape)) / (Lively - Straight), 0, 1);
+            Add(bumps, withers, Middle(legs[0]), plank);
+            Add(bumps, croup, Middle(legs[legs.Count - 1]), plank);
+        }
+
         return new ValueList<HeadBump>(bumps);
     }
+
+    /// <summary>How far the line of the back between the girdles departs up and down from a straight one, in depths of the trunk.</summary>
+    private static double Liveliness(BodyShape shape)
+    {
+        const int First = StationRing.Shoulder;
+        const int Last = StationRing.Pelvis;
+        double highest = 0;
+        double lowest = 0;
+        double depth = 0;
+        for (int ring = First; ring <= Last; ring++)
+        {
+            double along = (shape.Z[First] - shape.Z[ring]) / (shape.Z[First] - shape.Z[Last]);
+            double off = BackAt(shape, ring) - Scalar.Lerp(BackAt(shape, First), BackAt(shape, Last), along);
+            highest = Math.Max(highest, off);
+            lowest = Math.Min(lowest, off);
+            depth = Math.Max(depth, shape.Top[ring] + shape.Bottom[ring]);
+        }
+
+        return (highest - lowest) / depth;
+    }
+
+    private static double BackAt(BodyShape shape, int ring) => shape.Y[ring] + (shape.Top[ring] * PortableMath.Cos(shape.Pitch[ring]));
 
     private static void Add(List<HeadBump> bumps, HeadBump[] relief, double ring, double factor)
     {

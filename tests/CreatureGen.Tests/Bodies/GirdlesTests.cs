@@ -39,13 +39,26 @@ public sealed class GirdlesTests
     }
 
     [Fact]
+    public void Straight_backs_of_mixed_trunks_over_legs_under_them_are_given_withers_a_dip_and_a_croup()
+    {
+        foreach (ulong seed in new ulong[] { 10720009, 10720011, 10830012, 11010059, 11010060 })
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, LocomotionKind.Walking);
+            BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
+            BodySkin skin = BodySkin.Span(shape, creature);
+            Assert.True(Factor(skin, 28, 0) - Factor(skin, 33, 0) > 0.08 && Factor(skin, 39, 0) - Factor(skin, 33, 0) > 0.08, FormattableString.Invariant($"{seed}: a straight back"));
+        }
+    }
+
+    [Fact]
     public void Swimmers_keep_the_torsos_of_their_bodies()
     {
         for (ulong seed = 10420001; seed <= 10420060; seed++)
         {
             CreatureBlueprint creature = BlueprintSampler.Sample(seed, LocomotionKind.Swimming);
             int own = creature.Body.Blend.Bodies.Sum(body => SpeciesCatalogue.Find(body.Name).Relief.Length);
-            Assert.True(own == Girdles.Of(creature).Count, FormattableString.Invariant($"{seed}, {creature.Plan} {creature.Body.Blend.First}"));
+            BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
+            Assert.True(own == Girdles.Of(creature, shape).Count, FormattableString.Invariant($"{seed}, {creature.Plan} {creature.Body.Blend.First}"));
         }
     }
 

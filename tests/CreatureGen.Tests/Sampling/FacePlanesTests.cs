@@ -1,3 +1,4 @@
+using System;
 using System.Linq;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
@@ -42,6 +43,49 @@ public sealed class FacePlanesTests
         {
             HeadBlueprint head = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = RequestedKind.Swimming }).Head;
             Assert.All(head.Bumps.Where(bump => bump is { Ring: 9.2, Segment: 4.2 }), bump => Assert.InRange(bump.Amount, 0, 0.1201));
+        }
+    }
+
+    [Fact]
+    public void Beaks_on_other_bodies_have_a_ridge_along_their_top()
+    {
+        int beaks = 0;
+        for (ulong seed = 11030001; seed <= 11030150; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = RequestedKind.Swimming });
+            if (creature.Body.Blend.Face == creature.Body.Blend.First || SpeciesCatalogue.Find(creature.Body.Blend.Face).Snout != SnoutKind.Beak)
+            {
+                continue;
+            }
+
+            // The same beak without its planes is an ellipse.
+            HeadBlueprint round = creature.Head with { Bumps = new ValueList<HeadBump>(creature.Head.Bumps.Where(bump => bump is not { Ring: 2, Segment: 0 } and not { Ring: 2, Segment: 3.4 })) };
+            BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
+            Assert.True(Sharpness(BodySkin.Span(shape, creature)) > 1.2f * Sharpness(BodySkin.Span(shape, creature with { Head = round })));
+            beaks++;
+        }
+
+        Assert.NotEqual(0, beaks);
+
+        static float Sharpness(BodySkin skin) => (skin[2, 0] - skin.Shape.Centre(2)).Length() / (skin[2, 3] - skin.Shape.Centre(2)).Length();
+    }
+
+    [Theory]
+    [InlineData(RequestedKind.Walking)]
+    [InlineData(RequestedKind.Swimming)]
+    public void Eyes_on_the_skull_of_another_body_are_large_and_high_enough_to_be_seen_from_the_front(RequestedKind kind)
+    {
+        for (ulong seed = 11030001; seed <= 11030300; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = kind });
+            SpeciesProfile face = SpeciesCatalogue.Find(creature.Body.Blend.Face);
+            if (face.Body != creature.Body.Blend.First && face.Class != AnimalClass.Arthropod)
+            {
+                BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
+                double half = 0.5 * (shape.Width[StationRing.Brow] + (0.5 * (shape.Top[StationRing.Brow] + shape.Bottom[StationRing.Brow])));
+                EyeBlueprint eyes = creature.Head.Eyes;
+                Assert.True(eyes.Radius > 0.215 * half && eyes.Segment < 6.35, FormattableString.Invariant($"{seed}: eyes of {eyes.Radius / half:0.00} at {eyes.Segment:0.0}"));
+            }
         }
     }
 

@@ -24,4 +24,15 @@ public sealed class FeetTests
 
         Assert.NotEqual(0, discs);
     }
+
+    [Fact]
+    public void Toes_of_mixed_creatures_end_in_claws()
+    {
+        for (ulong seed = 11030001; seed <= 11030300; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking });
+            bool paws = creature.Plan is BodyPlan.Digitigrade or BodyPlan.Plantigrade;
+            Assert.All(creature.Legs, leg => Assert.True(!paws || leg.ClawLength > 0.5, FormattableString.Invariant($"{seed}")));
+        }
+    }
 }

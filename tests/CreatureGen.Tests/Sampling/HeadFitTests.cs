@@ -45,6 +45,26 @@ public sealed class HeadFitTests
         }
     }
 
+    [Fact]
+    public void The_face_of_another_body_on_an_insect_looks_ahead()
+    {
+        int faces = 0;
+        for (ulong seed = 11030001; seed <= 11030400; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking });
+            bool insect = SpeciesCatalogue.Find(creature.Body.Blend.First).Class == AnimalClass.Arthropod;
+            if (insect && SpeciesCatalogue.Find(creature.Body.Blend.Face).Class != AnimalClass.Arthropod)
+            {
+                BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
+                double fall = 180 / Math.PI * Math.Atan2(shape.Y[10] - shape.Y[0], shape.Z[0] - shape.Z[10]);
+                Assert.True(fall <= SteepestFace, FormattableString.Invariant($"{seed}: a face that falls by {fall:0} degrees"));
+                faces++;
+            }
+        }
+
+        Assert.NotEqual(0, faces);
+    }
+
     [Theory]
     [InlineData(RequestedKind.Walking, Largest)]
     [InlineData(RequestedKind.Flying, Largest)]

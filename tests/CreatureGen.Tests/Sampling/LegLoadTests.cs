@@ -40,6 +40,29 @@ public sealed class LegLoadTests
     }
 
     [Fact]
+    public void Legs_of_insects_that_hang_in_the_air_are_as_thick_as_those_that_stand()
+    {
+        int legs = 0;
+        for (ulong seed = 11030001; seed <= 11030600; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = RequestedKind.Flying });
+            BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
+            foreach (LegBlueprint leg in creature.Legs)
+            {
+                if (leg.Stance == LegStance.Hanging && leg.Archetype == LimbArchetype.Insect)
+                {
+                    double share = Math.Cbrt(StanceSampler.Volume(shape) / (2 * creature.Legs.Count));
+                    double shank = LegKinds.Of(leg.Archetype).Outline.ShankRadius() * leg.Thickness * leg.Stoutness * leg.Slimness;
+                    Assert.True(shank / share >= Insects, FormattableString.Invariant($"{seed}: {shank / share:0.000}"));
+                    legs++;
+                }
+            }
+        }
+
+        Assert.NotEqual(0, legs);
+    }
+
+    [Fact]
     public void Legs_of_animals_are_as_thick_as_their_species_has_them()
     {
         for (ulong seed = 9990001; seed <= 9990020; seed++)

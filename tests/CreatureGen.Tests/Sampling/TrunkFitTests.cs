@@ -30,6 +30,64 @@ public sealed class TrunkFitTests
     /// <summary>Longest tail that is carried up, in trunks: what the lattice leaves of the rule's 0.75.</summary>
     private const double Carried = 0.85;
 
+    /// <summary>Deepest mixed swimmer in lengths of its trunk: what the rules that follow leave of the .56 asked for (1.12 without).</summary>
+    private const double DeepestSwimmer = 0.68;
+
+    /// <summary>Steepest fall from throat to chest of nine of ten swimmers, for each unit that it goes back: what the parts that give way leave of the .7 asked for (1.27 without).</summary>
+    private const double SteepThroat = 1.12;
+
+    /// <summary>Depth of the waist of insects in chests (up to 1.15 without).</summary>
+    private const double Waist = 0.83;
+
+    [Fact]
+    public void Mixed_swimmers_are_no_sacks_behind_a_spout()
+    {
+        int swimmers = 0;
+        int steep = 0;
+        for (ulong seed = 11030001; seed <= 11030400; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = RequestedKind.Swimming });
+            if (creature.Body.Disc.Sweep != 0)
+            {
+                continue;
+            }
+
+            BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
+            TrunkOutline outline = TrunkOutline.Of(shape);
+            Assert.True(outline.Depth <= DeepestSwimmer * outline.Length, FormattableString.Invariant($"{seed}: {outline.Depth / outline.Length:0.00} lengths deep"));
+            double fall = 0;
+            for (int ring = 14; ring <= StationRing.Ribs; ring++)
+            {
+                fall = Math.Max(fall, (shape.Y[ring] - shape.Bottom[ring] - shape.Y[ring + 4] + shape.Bottom[ring + 4]) / (shape.Z[ring] - shape.Z[ring + 4]));
+            }
+
+            swimmers++;
+            steep += fall > SteepThroat ? 1 : 0;
+        }
+
+        Assert.True(10 * steep <= swimmers, FormattableString.Invariant($"{steep} of {swimmers} throats fall steeply"));
+    }
+
+    [Theory]
+    [InlineData(RequestedKind.Walking, BodyPlan.Hexapod)]
+    [InlineData(RequestedKind.Flying, BodyPlan.Buzzing)]
+    public void Mixed_insects_have_a_waist(RequestedKind kind, BodyPlan plan)
+    {
+        int insects = 0;
+        for (ulong seed = 11030001; seed <= 11030400; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = kind });
+            if (creature.Plan == plan && SpeciesCatalogue.Find(creature.Body.Blend.First).Class == AnimalClass.Arthropod)
+            {
+                double tuck = TrunkOutline.Of(BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail)).Tuck;
+                Assert.True(tuck <= Waist, FormattableString.Invariant($"{seed}: a waist of {tuck:0.00} chests"));
+                insects++;
+            }
+        }
+
+        Assert.NotEqual(0, insects);
+    }
+
     [Fact]
     public void Mixed_swimmers_thin_out_behind_their_bellies()
     {

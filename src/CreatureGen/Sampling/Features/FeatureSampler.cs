@@ -31,6 +31,7 @@ internal static class FeatureSampler
         Ornaments(builder, plenty);
         NeckSampler.Tail(builder, builder.Stream("tail hair"));
         FaceRule.Clear(builder);
+        Mouthparts.Add(builder);
         Sting(builder);
         StrangeParts.Add(builder);
     }

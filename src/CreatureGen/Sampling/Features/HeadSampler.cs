@@ -27,6 +27,10 @@ internal static class HeadSampler
     private const double FlatEyes = 0.42;
     private const double MixedSink = 0.5;
 
+    // On the same: radius of the smallest eyes in half heights of the head, and the lowest segment that they are at: sharks' and dolphins' are not seen from the front.
+    private const double SmallestEye = 0.22;
+    private const double LowestEye = 6.3;
+
     /// <summary>Probability of a single eye at full strangeness.</summary>
     private const double SingleEyes = 0.05;
 
@@ -38,6 +42,14 @@ internal static class HeadSampler
     /// <summary>How far the root of a beak stands off the skull, in radii of the section.</summary>
     private const double BeakEdge = 0.08;
 
+    // A beak of another body: how far the ridge along its top rises, and how far its sides are flat below it, in radii of the section: a round one is a disc from the front.
+    private const double Ridge = 0.2;
+    private const double Sides = 0.14;
+
+    // An insect's face of a strange creature: depth of the groove between forehead and lip, and rise of the lip, in radii of the section.
+    private const double LipGroove = 0.16;
+    private const double Lip = 0.1;
+
     // Breadth of a head in heights from which on its top is a board, and what models it where it is twice that: a rise along the middle, and hollows to both sides of it and below the eyes.
     private const double Level = 0.9;
     private const double Bridge = 0.16;
@@ -45,6 +57,12 @@ internal static class HeadSampler
 
     /// <summary>Highest ridge of the brow on a strange head, relative to its section: a higher one is a corner of a box.</summary>
     private const double HighestBrow = 0.12;
+
+    /// <summary>The same on a head that is as broad as a board: there it ends in a corner to both sides.</summary>
+    private const double HighestOnBoard = 0.04;
+
+    /// <summary>The part of the bones over the eyes that a strange swimmer lacks.</summary>
+    private const double SoftenedBone = 0.6;
 
     // Broadest front of a muzzle against its head of what swims, or goes low, and most that it is drawn in by: what comes head first is seen over its muzzle, and a broader one is all of its face.
     private const double Muzzle = 0.58;
@@ -120,8 +138,9 @@ internal static class HeadSampler
 
         // What goes on legs keeps its head: its gaits were tuned to where its weight lies.
         double fitting = builder.Kind == LocomotionKind.Swimming ? builder.Fitting : 0;
+        double flat = Scalar.Clamp(Breadth(builder.Shape) - Level, 0, 1);
         double brow = Vary(species.Swelling.Brow);
-        Add(9.2, 4.2, 1.6, 1.3, Math.Min(brow, Scalar.Lerp(brow, HighestBrow, fitting)));
+        Add(9.2, 4.2, 1.6, 1.3, Math.Min(brow, Scalar.Lerp(brow, Scalar.Lerp(HighestBrow, HighestOnBoard, Math.Min(1, 2.5 * flat)), fitting)));
         Add(8.4, 1.0, 1.5, 1.6, -Vary(0.05));
         Add(12.8, 9.2, 2.2, 2.0, Vary(species.Swelling.Cheek));
         Add(13.2, 12.5, 1.8, 1.8, IfAny(species.Skull.Jowl));
@@ -130,17 +149,19 @@ internal static class HeadSampler
         Add(2.5, 15.5, 2.0, 2.5, IfAny(species.Skull.Chin));
         if (species.Bone > 0)
         {
+            // Bones around the eyes of what comes head first are corners of its outline.
+            double bone = species.Bone * (1 - (SoftenedBone * fitting));
             (double ring, double segment) = species.Eye;
             Add(ring - 0.6, segment + 0.2, 1.5, 1.25, -0.13 * species.Bone);
-            Add(ring - 1.6, segment - 1.9, 1.2, 1.1, 0.11 * species.Bone * (1 + (0.5 * mood)));
-            Add(ring + 1.2, segment - 2.0, 1.4, 1.1, 0.11 * species.Bone * (1 - (0.4 * mood)));
+            Add(ring - 1.6, segment - 1.9, 1.2, 1.1, 0.11 * bone * (1 + (0.5 * mood)));
+            Add(ring + 1.2, segment - 2.0, 1.4, 1.1, 0.11 * bone * (1 - (0.4 * mood)));
             Add(ring + 1.2, segment + 2.9, 1.9, 1.2, 0.10 * species.Bone);
         }
 
         if (species.Snout != SnoutKind.Beak && species.Class != AnimalClass.Arthropod)
         {
             // Between its eyes a broad head is a board without a bridge of the nose, hollows beside it, and cheekbones.
-            double board = fitting * Scalar.Clamp(Breadth(builder.Shape) - Level, 0, 1);
+            double board = fitting * flat;
             Add(6, 0, 3.2, 1.5, Bridge * board);
             Add(7, 3.2, 2.2, 1.3, -Hollow * board);
             Add(6.2, 7.6, 2, 1.3, -Hollow * board);
@@ -153,6 +174,15 @@ internal static class HeadSampler
             // The horn of a beak lies on the skull with an edge.
             bumps.Add(new HeadBump(Ring: 5.4, Segment: 8, RingSpread: 0.8, SegmentSpread: 16, Amount: BeakEdge));
             bumps.Add(new HeadBump(Ring: 7, Segment: 8, RingSpread: 0.9, SegmentSpread: 16, Amount: -0.6 * BeakEdge));
+            double mixed = IsMixed(builder) ? builder.Fitting : 0;
+            Add(2, 0, 3.6, 1.2, Ridge * mixed);
+            Add(2, 3.4, 3.2, 1.5, -Sides * mixed);
+        }
+
+        if (species.Class == AnimalClass.Arthropod)
+        {
+            Add(3.6, 0, 0.8, 4.6, -LipGroove * builder.Fitting);
+            Add(1.9, 0, 0.9, 4.2, Lip * builder.Fitting);
         }
 
         bumps.AddRange(species.Skull.Muzzle);
@@ -179,6 +209,8 @@ internal static class HeadSampler
         double half = HalfHeight(s);
         double radius = species.EyeSize * half * Scalar.Clamp(1 + (0.14 * builder.Style) + random.Normal(0, 0.06), 0.75, 1.5) * (builder.Signature == Signature.BigEyes ? 1.36 : 1);
         radius = Math.Min(radius, LargestEye(builder));
+        double mixed = IsMixed(builder) ? builder.Fitting : 0;
+        radius = Math.Max(radius, mixed * SmallestEye * half);
         bool faceted = random.Chance(species.CompoundEyes);
         bool slit = random.Chance(species.SlitPupils);
         bool bar = builder.Stream("bar pupils").Chance(species.BarPupils);
@@ -190,8 +222,9 @@ internal static class HeadSampler
         }
 
         double upper = Scalar.Clamp(species.LidDegrees.Upper - (9 * mood), 34, 72);
-        double sink = IsMixed(builder) ? Math.Max(species.EyeSink, Scalar.Lerp(species.EyeSink, MixedSink, builder.Fitting)) : species.EyeSink;
-        return new EyeBlueprint(style, species.Eye.Ring, species.Eye.Segment, radius, sink, species.EyeForward, Scalar.Radians(upper), Scalar.Radians(species.LidDegrees.Lower), 0.42 * mood);
+        double sink = Math.Max(species.EyeSink, Scalar.Lerp(species.EyeSink, MixedSink, mixed));
+        double segment = Math.Min(species.Eye.Segment, Scalar.Lerp(species.Eye.Segment, LowestEye, mixed));
+        return new EyeBlueprint(style, species.Eye.Ring, segment, radius, sink, species.EyeForward, Scalar.Radians(upper), Scalar.Radians(species.LidDegrees.Lower), 0.42 * mood);
     }
 
     /// <summary>How far the mouth is open where no ground is in its way, radians.</summary>

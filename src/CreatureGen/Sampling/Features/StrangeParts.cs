@@ -38,10 +38,10 @@ internal static class StrangeParts
             case 0 when !insect && !FaceRule.IsDressed(builder):
                 Eye(builder, 1.2, 0, 0.75 + (0.15 * size));
                 break;
-            case 1:
+            case 1 when !insect:
                 Eye(builder, 2.3, -1.7, 0.6 + (0.12 * size));
                 break;
-            case 2:
+            case 2 when !insect:
                 Eye(builder, -2.0, -1.4, 0.5);
                 Eye(builder, 2.2, -1.8, 0.58);
                 Eye(builder, 3.4, 0.9, 0.48);

@@ -147,7 +147,8 @@ internal static class FlierLegs
         foreach (LegPlacement leg in flying.Legs)
         {
             bool splayed = LegKinds.Of(leg.Site.Archetype).Build.Posture == LimbPosture.Splayed;
-            LegSampler.Add(builder, style, leg.Site.Archetype, LegStance.Hanging, leg.Socket, leg.RootRadius, leg.Length, splayed ? leg.Reach : leg.Length, leg.Site.Azimuth, splayed ? 0 : HangingShear, leg.Site.Bounds.Pad);
+            LegStyle own = style with { Slimness = LegLoad.Thicker(builder, style, leg, flying.Legs.Count) * style.Slimness };
+            LegSampler.Add(builder, own, leg.Site.Archetype, LegStance.Hanging, leg.Socket, leg.RootRadius, leg.Length, splayed ? leg.Reach : leg.Length, leg.Site.Azimuth, splayed ? 0 : HangingShear, leg.Site.Bounds.Pad);
         }
     }
 

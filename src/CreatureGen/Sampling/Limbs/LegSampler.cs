@@ -348,6 +348,9 @@ internal sealed record LegStand(SocketSet Places, LegSize Size, double FootGrowt
 /// <summary>What all legs of one creature share.</summary>
 internal sealed record LegStyle
 {
+    /// <summary>Claws of toes that have none in their species, on a mixed body: its toes are balls without.</summary>
+    private const double ShortClaw = 0.6;
+
     public LegStyle(CreatureBuilder builder)
     {
         RandomStream random = builder.Stream("leg style");
@@ -359,7 +362,7 @@ internal sealed record LegStyle
         bool soft = builder.Plan is BodyPlan.Digitigrade or BodyPlan.Plantigrade;
         Foot = FootSampler.Toes(builder);
         Hooves = FootSampler.Hooves(builder);
-        ClawLength = Foot == FootStyle.Talon ? random.Uniform(1.5, 2.2) : soft ? CreatureBuilder.Choose(random, (0.0, 0.35), (0.8, 0.3), (1.3, 0.35)) : random.Chance(0.5) ? 0.9 : 1.5;
+        ClawLength = Foot == FootStyle.Talon ? random.Uniform(1.5, 2.2) : soft ? CreatureBuilder.Choose(random, (builder.Fitting > 0 ? ShortClaw : 0.0, 0.35), (0.8, 0.3), (1.3, 0.35)) : random.Chance(0.5) ? 0.9 : 1.5;
     }
 
     public double Stoutness { get; init; }

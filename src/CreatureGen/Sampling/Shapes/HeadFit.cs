@@ -16,7 +16,7 @@ internal static class HeadFit
     private const double Size = 1;
 
     // What swimmers, bodies that lie and those on two legs have of these: they come head first, and a head as large as the trunk hides all of it; a bird behind a broader head is a stalk.
-    private const double Swimmers = 0.8;
+    private const double Swimmers = 0.75;
     private const double Lying = 0.9;
     private const double OnTwoLegs = 0.83;
 
@@ -36,6 +36,9 @@ internal static class HeadFit
 
     /// <summary>Most that the face of a swimmer falls away ahead of its brow, as those of swimming animals do; one that hangs as on a neck over land turns its forehead to the water.</summary>
     private const double SteepestFaceDegrees = 12;
+
+    /// <summary>The same of the face of another body on that of an insect, whose own looks down.</summary>
+    private const double SteepestOnInsectDegrees = 20;
 
     // Rings of the head behind its lips, of the middle of the neck, and of the trunk between the girdles.
     private const int FirstOfHead = 3;
@@ -82,18 +85,19 @@ internal static class HeadFit
         };
     }
 
-    /// <summary>The posture of a strange swimmer with its face lifted until it looks ahead.</summary>
+    /// <summary>The posture of a strange swimmer, or of an insect with the head of another body, with its face lifted until it looks ahead.</summary>
     public static BodyPosture Level(CreatureBuilder builder)
     {
         BodyPosture drawn = builder.Posture;
-        if (builder.Kind != LocomotionKind.Swimming)
+        bool swims = builder.Kind == LocomotionKind.Swimming;
+        if (!swims && (builder.Species.Class != AnimalClass.Arthropod || builder.Parents.Head.Class == AnimalClass.Arthropod))
         {
             return drawn;
         }
 
         BodyShape shape = StanceSampler.ShapeOf(builder);
         double fall = PortableMath.Atan2(shape.Y[StationRing.Brow] - shape.Y[StationRing.Nose], shape.Z[StationRing.Nose] - shape.Z[StationRing.Brow]);
-        return drawn with { Head = drawn.Head + (builder.Fitting * Math.Max(0, fall - Scalar.Radians(SteepestFaceDegrees))) };
+        return drawn with { Head = drawn.Head + (builder.Fitting * Math.Max(0, fall - Scalar.Radians(swims ? SteepestFaceDegrees : SteepestOnInsectDegrees))) };
     }
 
     /// <summary>Half the width and half the height of the largest sections, metres.</summary>

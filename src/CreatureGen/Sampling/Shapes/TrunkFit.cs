@@ -45,6 +45,9 @@ internal static class TrunkFit
     private const double Waist = 0.6;
     private const double LeastTuck = 0.72;
 
+    /// <summary>Least factor of the same on an insect: with less of a waist it is a log on wires.</summary>
+    private const double LeastWaist = 0.55;
+
     // The parts of a tuck that the chest gains and that the loin gives way by, and what of it shows on the belly between them.
     private const double Chest = 0.4;
     private const double Flank = 0.6;
@@ -52,6 +55,23 @@ internal static class TrunkFit
 
     /// <summary>What the abdomen of an insect gains of a tuck: behind its waist it is the hips.</summary>
     private const double Abdomen = 0.8;
+
+    /// <summary>What its waist gives way by.</summary>
+    private const double Constriction = 0.45;
+
+    // Steepest fall of a swimmer's throat to its chest for each unit that it goes back, and the parts of what is too much by which the chest and the rest of the trunk give way and the neck grows: behind a step the head is a spout on a sack.
+    private const double SteepestThroat = 0.7;
+    private const double ChestGives = 0.4;
+    private const double BellyGives = 0.12;
+    private const double NeckGrows = 0.1;
+    private const double MostThroat = 1.8;
+    private const int ThroatFirst = 14;
+    private const int ThroatStep = 4;
+
+    // Deepest swimmer in lengths from the base of its neck to the pelvis, that of those that swim by winding, and the part of what is too much by which its depth gives way; the rest is girth.
+    private const double DeepestSwimmer = 0.56;
+    private const double DeepestWinding = 0.42;
+    private const double Shallower = 0.5;
 
     // A swimmer's largest hips against its belly, least and most of its tail's stem against its hips and belly, and most that the tail's girth changes by for it.
     private const double Hips = 0.6;
@@ -159,12 +179,12 @@ internal static class TrunkFit
         bool under = builder.Kind == LocomotionKind.Walking && PlanTraits.IsAboveLegs(builder.Plan);
         bool insect = builder.Species.Class == AnimalClass.Arthropod;
         double excess = under ? Math.Max(1, outline.Breadth / Broad) : 1;
-        double tuck = PortableMath.Pow(Scalar.Clamp((insect ? Waist : Tucked) / outline.Tuck, LeastTuck, 1), strange);
+        double tuck = PortableMath.Pow(Scalar.Clamp((insect ? Waist : Tucked) / outline.Tuck, insect ? LeastWaist : LeastTuck, 1), strange);
         return drawn with
         {
             Chest = drawn.Chest * PortableMath.Pow(tuck, -Chest),
             Belly = drawn.Belly * PortableMath.Pow(tuck, Belly),
-            Rump = drawn.Rump * PortableMath.Pow(tuck, insect ? 0 : Flank),
+            Rump = drawn.Rump * PortableMath.Pow(tuck, insect ? Constriction : Flank),
             TailGirth = drawn.TailGirth * (insect ? PortableMath.Pow(tuck, -Abdomen) : 1),
             Depth = drawn.Depth * PortableMath.Pow(excess, Deepened * strange),
             Width = drawn.Width * PortableMath.Pow(excess, -Narrowed * strange),
@@ -175,6 +195,9 @@ internal static class TrunkFit
     private static BodyProportions Streamlined(CreatureBuilder builder, BodyProportions drawn)
     {
         BodyShape shape = StanceSampler.ShapeOf(builder);
+        TrunkOutline outline = TrunkOutline.Of(shape);
+        double deep = Math.Max(1, outline.Depth / (outline.Length * (builder.Plan == BodyPlan.Eel ? DeepestWinding : DeepestSwimmer)));
+        double step = Math.Min(MostThroat, Math.Max(1, Throat(shape) / SteepestThroat));
         double belly = Size(shape, StationRing.Belly);
         double hips = Size(shape, StationRing.Pelvis);
         double thin = Math.Min(1, Hips * belly / hips);
@@ -183,9 +206,26 @@ internal static class TrunkFit
         double strange = builder.Fitting;
         return drawn with
         {
+            Depth = drawn.Depth * PortableMath.Pow(deep, -Shallower * strange),
+            Girth = drawn.Girth * PortableMath.Pow(deep, (Shallower - 1) * strange) * PortableMath.Pow(step, -BellyGives * strange),
+            Chest = drawn.Chest * PortableMath.Pow(step, -ChestGives * strange),
+            NeckGirth = drawn.NeckGirth * PortableMath.Pow(step, NeckGrows * strange),
             Rump = drawn.Rump * PortableMath.Pow(thin, strange),
             TailGirth = drawn.TailGirth * Scalar.Clamp(PortableMath.Pow(wanted / root, strange), MinRoot, MaxRoot),
         };
+    }
+
+    /// <summary>Steepest fall of the line from the chin to the chest for each unit that it goes back.</summary>
+    private static double Throat(BodyShape shape)
+    {
+        double steepest = 0;
+        for (int ring = ThroatFirst; ring <= StationRing.Ribs; ring++)
+        {
+            double down = shape.Y[ring] - shape.Bottom[ring] - shape.Y[ring + ThroatStep] + shape.Bottom[ring + ThroatStep];
+            steepest = Math.Max(steepest, down / (shape.Z[ring] - shape.Z[ring + ThroatStep]));
+        }
+
+        return steepest;
     }
 
     /// <summary>Radius of a section, metres.</summary>
