@@ -24,6 +24,10 @@ internal static class HeadFit
     private const double Neck = 0.95;
     private const double LeastNeck = 0.75;
 
+    // The same on bodies of fish and snakes, which have no neck of their own.
+    private const double NeckOfNeckless = 0.86;
+    private const double LeastOfNeckless = 0.6;
+
     /// <summary>The part of what is too much that the head gives way; the trunk grows by the rest.</summary>
     private const double HeadsPart = 0.7;
 
@@ -74,9 +78,10 @@ internal static class HeadFit
         // What lies is a rope, and stays one.
         double part = builder.Plan == BodyPlan.Legless ? 1 : HeadsPart;
         double head = PortableMath.Pow(excess, -part * strange);
-        bool necked = builder.Parents.Head != builder.Parents.First && builder.Kind != LocomotionKind.Swimming && builder.Plan is not (BodyPlan.Legless or BodyPlan.ManyLegged);
+        bool neckless = builder.Species.Class == AnimalClass.Fish || Array.Exists(builder.Species.WalkingPlans, plan => plan.Value == BodyPlan.Legless);
+        bool necked = (neckless || builder.Parents.Head != builder.Parents.First) && builder.Kind != LocomotionKind.Swimming && builder.Plan is not (BodyPlan.Legless or BodyPlan.ManyLegged);
         (double neckWidth, double neckHeight) = Largest(shape, FirstOfNeck, LastOfNeck);
-        double neck = necked ? Scalar.Clamp(Neck * head * Math.Sqrt(headWidth * headHeight / (neckWidth * neckHeight)), LeastNeck, 1) : 1;
+        double neck = necked ? Scalar.Clamp((neckless ? NeckOfNeckless : Neck) * head * Math.Sqrt(headWidth * headHeight / (neckWidth * neckHeight)), neckless ? LeastOfNeckless : LeastNeck, 1) : 1;
         return drawn with
         {
             NeckGirth = drawn.NeckGirth * PortableMath.Pow(neck, strange),

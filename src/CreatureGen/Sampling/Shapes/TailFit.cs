@@ -30,7 +30,7 @@ internal static class TailFit
     private const double LeastCarried = 10;
     private const double Slimmed = 0.6;
 
-    // How far a bare tail behind legs under the body falls at least, and how far its tip bends back out, degrees; one that is carried higher than level by this is raised on purpose. A tail that balances a body on two legs falls less.
+    // How far a bare tail behind legs under the body falls at least, and how far its tip bends back out, degrees; one that is carried higher than level by this is raised on purpose. A tail that balances a body on two legs falls less, and is raised on none: from behind it is a spike.
     private const double HungDegrees = 34;
     private const double TipDegrees = 22;
     private const double HeldUpDegrees = 12;
@@ -127,7 +127,7 @@ internal static class TailFit
         }
 
         double fall = Fall(builder);
-        if (fall < -Scalar.Radians(fan ? RaisedDegrees : HeldUpDegrees))
+        if (!balances && fall < -Scalar.Radians(fan ? RaisedDegrees : HeldUpDegrees))
         {
             return drawn;
         }
