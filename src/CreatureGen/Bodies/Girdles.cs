@@ -99,7 +99,8 @@ internal static class Girdles
         }
 
         double plank = (1 - bare) * Scalar.Smooth((Pure - fractions[0]) / (Pure - Mixed));
-        if (legs.Count > 1 && plank > 0 && creature.Body.Shell.Style == ShellStyle.None && legs.TrueForAll(leg => LegKinds.Of(leg.Archetype).Build.Posture == LimbPosture.Under))
+        // Where wings fold the back stays as they know it.
+        if (legs.Count > 1 && plank > 0 && creature.Wings.Count == 0 && creature.Body.Shell.Style == ShellStyle.None && legs.TrueForAll(leg => LegKinds.Of(leg.Archetype).Build.Posture == LimbPosture.Under))
         {
             plank *= Scalar.Clamp((Lively - Liveliness(shape)) / (Lively - Straight), 0, 1);
             Add(bumps, withers, Middle(legs[0]), plank);
