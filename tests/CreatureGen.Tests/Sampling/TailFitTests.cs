@@ -117,7 +117,7 @@ public sealed class TailFitTests
             CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking });
             bool above = creature.Plan is BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar or BodyPlan.Centaur;
             bool haired = creature.Manes.Any(mane => mane.Ring >= StationRing.TorsoLast);
-            if (!above || haired || creature.Tail.Style is not (TailStyle.Plain or TailStyle.Saurian or TailStyle.Whip))
+            if (!above || haired || creature.Tail.Style is not (TailStyle.Plain or TailStyle.Saurian or TailStyle.Whip or TailStyle.Paddle))
             {
                 continue;
             }

@@ -159,7 +159,7 @@ internal static class TailFit
     {
         bool haired = builder.Parents.Tail.TailHair is not null && builder.Tail.Style == TailStyle.Plain
             && (builder.Parents.Skin.Cover == SkinCover.Fur || builder.Parents.Skin == builder.Parents.Tail);
-        return PlanTraits.IsAboveLegs(builder.Plan) && !haired && builder.Tail.Style is TailStyle.Plain or TailStyle.Saurian or TailStyle.Whip;
+        return PlanTraits.IsAboveLegs(builder.Plan) && !haired && builder.Tail.Style is TailStyle.Plain or TailStyle.Saurian or TailStyle.Whip or TailStyle.Paddle;
     }
 
     /// <summary>The slices with a point at the end of a bird's tail that wears no feathers, whose tables are made for a fan and end like a sawn log without one, of an abdomen, and of a swimmer's, whose fin comes later.</summary>
