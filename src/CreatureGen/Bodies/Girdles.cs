@@ -55,7 +55,7 @@ internal static class Girdles
     private const double Mixed = 0.75;
 
     // Rise and fall of the line of the back between the girdles, in depths of the trunk, from which on it is none of a plank, and at which it is all of one.
-    private const double Lively = 0.12;
+    private const double Lively = 0.1;
     private const double Straight = 0.03;
 
     // What a straight back over legs under it is given, at shoulders and at hips.
