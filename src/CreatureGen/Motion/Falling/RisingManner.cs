@@ -10,7 +10,7 @@ internal sealed class RisingManner
 {
     /// <summary>Kilograms from which on a body takes its time, and how much longer it takes.</summary>
     private const float HeavyMass = 200f;
-    private const float HeavyTime = 1.45f;
+    private const float HeavyTime = 1.5f;
     private const float PillarTime = 1.2f;
 
     private static readonly double[] all = { 0, 0.3, 0.55, 0.8, 1 };

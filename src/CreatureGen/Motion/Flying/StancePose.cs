@@ -7,8 +7,9 @@ namespace CreatureGen.Motion.Flying;
 /// <summary>How a flier was last posed on its legs, and its share in a pose in the air: of all joints but the wings.</summary>
 internal sealed class StancePose
 {
-    /// <summary>Share from which on it counts as all.</summary>
+    /// <summary>Share from which on it counts as all, and up to which it counts as none: it decays for minutes, and a mixture costs a flier a tenth of its update.</summary>
     private const double Whole = 0.9995;
+    private const double None = 1 - Whole;
 
     private readonly LocalPose local;
     private readonly float[] mask;
@@ -43,7 +44,7 @@ internal sealed class StancePose
     /// <param name="other">In the parents' space.</param>
     public void Mix(double fraction, in Pose other)
     {
-        if (fraction <= 0)
+        if (fraction <= None)
         {
             return;
         }
