@@ -11,6 +11,9 @@ namespace CreatureGen.Motion.Falling;
 /// <summary>Rises from the belly, its legs folded under it, by the last phases of the act of lying down: feet come to where they stand as the trunk is raised over them, hind first or fore first.</summary>
 internal sealed class BellyRise : IRise
 {
+    /// <summary>Part of the time of the act in which who fell gets up: it was not lying at ease.</summary>
+    private const float Haste = 0.75f;
+
     private readonly FallProfile profile;
     private readonly LyingManner manner;
     private readonly WalkingMode legs;
@@ -59,7 +62,7 @@ internal sealed class BellyRise : IRise
     }
 
     /// <inheritdoc/>
-    public float Seconds(float tau) => ends[^1] * tau * manner.Tempo;
+    public float Seconds(float tau) => Haste * ends[^1] * tau * manner.Tempo;
 
     /// <inheritdoc/>
     public void Show(float u, in RootPlace place, float dt, in MotionSettings settings, BodyLayer? layer, in Pose local)

@@ -243,6 +243,28 @@ public sealed class GettingUpTests
         }
     }
 
+    /// <summary>They took 16 to 18, a bull with a leg of two metres almost seven seconds: a player waits for that.</summary>
+    [Theory]
+    [InlineData(1UL)]
+    [InlineData(9UL)]
+    [InlineData(18UL)]
+    [InlineData(34UL)]
+    public void Heavy_ones_that_fell_stand_in_fewer_than_sixteen_times_the_root_of_leg_length_over_gravity(ulong seed)
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        Assert.True(profile.Subject.Mass.Mass > 300f);
+        CreatureAnimator animator = Lying(profile);
+        animator.GetUp();
+        int frames = 0;
+        while (animator.State != BodyState.Supported && frames < 3000)
+        {
+            animator.Update(Frame, default, FlatGround.Level);
+            frames++;
+        }
+
+        Assert.InRange(frames * Frame / MathF.Sqrt(profile.LegLength / 9.81f), 5f, 16f);
+    }
+
     /// <summary>Who has been limp for six seconds.</summary>
     internal static CreatureAnimator Lying(MotionProfile profile)
     {
