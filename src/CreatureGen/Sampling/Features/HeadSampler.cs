@@ -86,11 +86,11 @@ internal static class HeadSampler
         BodyShape s = builder.Shape;
         double largest = mixed * builder.Parents.Head.LargestEye * HalfHeight(s);
         double flat = FlatEyes * 0.5 * (s.Top[StationRing.Brow] + s.Bottom[StationRing.Brow]);
-        return IsMixed(builder) ? Math.Min(largest, Scalar.Lerp(largest, flat, builder.Fitting)) : largest;
+        return Math.Min(largest, Scalar.Lerp(largest, flat, Mixed(builder)));
     }
 
-    /// <summary>Whether the face is on the skull of another body; insects' eyes are large on any.</summary>
-    private static bool IsMixed(CreatureBuilder builder) => builder.Parents.Head != builder.Parents.First && builder.Parents.Head.Class != AnimalClass.Arthropod;
+    /// <summary>How far a face on the skull of another body is fitted to it, 0..1; insects' eyes are large on any.</summary>
+    private static double Mixed(CreatureBuilder builder) => builder.Parents.Head != builder.Parents.First && builder.Parents.Head.Class != AnimalClass.Arthropod ? builder.Fitting : 0;
 
     /// <summary>The face of the creature.</summary>
     public static HeadBlueprint Sample(CreatureBuilder builder)
@@ -174,7 +174,7 @@ internal static class HeadSampler
             // The horn of a beak lies on the skull with an edge.
             bumps.Add(new HeadBump(Ring: 5.4, Segment: 8, RingSpread: 0.8, SegmentSpread: 16, Amount: BeakEdge));
             bumps.Add(new HeadBump(Ring: 7, Segment: 8, RingSpread: 0.9, SegmentSpread: 16, Amount: -0.6 * BeakEdge));
-            double mixed = IsMixed(builder) ? builder.Fitting : 0;
+            double mixed = Mixed(builder);
             Add(2, 0, 3.6, 1.2, Ridge * mixed);
             Add(2, 3.4, 3.2, 1.5, -Sides * mixed);
         }
@@ -209,7 +209,7 @@ internal static class HeadSampler
         double half = HalfHeight(s);
         double radius = species.EyeSize * half * Scalar.Clamp(1 + (0.14 * builder.Style) + random.Normal(0, 0.06), 0.75, 1.5) * (builder.Signature == Signature.BigEyes ? 1.36 : 1);
         radius = Math.Min(radius, LargestEye(builder));
-        double mixed = IsMixed(builder) ? builder.Fitting : 0;
+        double mixed = Mixed(builder);
         radius = Math.Max(radius, mixed * SmallestEye * half);
         bool faceted = random.Chance(species.CompoundEyes);
         bool slit = random.Chance(species.SlitPupils);

@@ -18,13 +18,13 @@ internal static class Mouthparts
     /// <summary>Adds a pair of jaws to an insect's head that has none.</summary>
     public static void Add(CreatureBuilder builder)
     {
-        RandomStream random = builder.Stream("jaws");
-        double length = Length * random.Uniform(Least, Most) * HeadSampler.HalfHeight(builder.Shape);
         if (builder.Parents.Head.Class != AnimalClass.Arthropod || builder.Fitting == 0 || builder.Features.Exists(part => part.Kind == FeatureKind.Mandible))
         {
             return;
         }
 
+        RandomStream random = builder.Stream("jaws");
+        double length = Length * random.Uniform(Least, Most) * HeadSampler.HalfHeight(builder.Shape);
         FeatureBlueprint jaw = InsectParts.Jaw(length, Radius * length, sideward: 0.1, bendUp: 0, bendSide: -0.5);
         builder.Features.Add(FeatureSampler.OffGround(builder, jaw));
     }

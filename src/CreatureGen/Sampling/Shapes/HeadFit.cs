@@ -81,7 +81,8 @@ internal static class HeadFit
         bool neckless = builder.Species.Class == AnimalClass.Fish || Array.Exists(builder.Species.WalkingPlans, plan => plan.Value == BodyPlan.Legless);
         bool necked = (neckless || builder.Parents.Head != builder.Parents.First) && builder.Kind != LocomotionKind.Swimming && builder.Plan is not (BodyPlan.Legless or BodyPlan.ManyLegged);
         (double neckWidth, double neckHeight) = Largest(shape, FirstOfNeck, LastOfNeck);
-        double neck = necked ? Scalar.Clamp((neckless ? NeckOfNeckless : Neck) * head * Math.Sqrt(headWidth * headHeight / (neckWidth * neckHeight)), neckless ? LeastOfNeckless : LeastNeck, 1) : 1;
+        (double thickest, double least) = neckless ? (NeckOfNeckless, LeastOfNeckless) : (Neck, LeastNeck);
+        double neck = necked ? Scalar.Clamp(thickest * head * Math.Sqrt(headWidth * headHeight / (neckWidth * neckHeight)), least, 1) : 1;
         return drawn with
         {
             NeckGirth = drawn.NeckGirth * PortableMath.Pow(neck, strange),

@@ -98,7 +98,7 @@ internal sealed class LegPoser
         // As the ankle comes up for it the shank leans farther, and asks for a little more.
         for (int i = 0; i < (laid > 0f ? RelaxationRounds : 1) && fraction > 0f && excess > 0f; i++)
         {
-            FootPose asked = wanted;
+            Quaternion asked = wanted.Toes;
             Quaternion toes = Rotation.Multiply(metatarsus, turns.Of(local, leg.Ball));
             LimitRelaxation.Turn(leg, foot.Path.Normal, linked ? toes : metatarsus, toes, pitch, fraction, ref wanted);
             if (stands)
@@ -110,12 +110,13 @@ internal sealed class LegPoser
             Solve(leg, carrier, hip, wanted, carried, ref foot, local, out solved);
 
             // On the ground the toes lie as was found; in the air those of a linked leg go along with its ankle anew, the more the farther they are from their stances.
+            FootPose lying = wanted;
             if (linked && !stands)
             {
-                asked.Toes = UnitRotation.Nlerp(asked.Toes, wanted.Toes, limit.Held);
+                lying.Toes = UnitRotation.Nlerp(asked, wanted.Toes, limit.Held);
             }
 
-            metatarsus = PoseFoot(leg, solved, linked && !stands ? asked : wanted, local, stands ? 1f : linked ? limit.Held : laid, out astray, out excess);
+            metatarsus = PoseFoot(leg, solved, lying, local, stands ? 1f : linked ? limit.Held : laid, out astray, out excess);
             fraction = i == 0 ? fraction * laid : fraction;
         }
 
@@ -137,9 +138,7 @@ internal sealed class LegPoser
     private void Solve(LegRig leg, Quaternion carrier, Vector3 hip, in FootPose pose, float carried, ref Foot foot, in Pose local, out LegRotations solved)
     {
         Vector3 chord = pose.Target - hip;
-        Vector3 away = foot.Path.Away;
         float ground = chord.Y - foot.Path.Lift;
-        float way = Vec.Dot(away, chord) - foot.Path.Lift;
         if (carried > 0f)
         {
             // Where the body carries it, and not through the ground: a body that brakes is lower than one that leaps.
@@ -165,7 +164,8 @@ internal sealed class LegPoser
         var goal = new LegGoal(chord, foot.Path.Heading, limit.Slack, limit.Tolerance);
         if (!Aim(leg, parts, carrier, goal, local, out solved))
         {
-            limit.Bend(leg, parts, goal, away, way, ref solved);
+            Vector3 away = foot.Path.Away;
+            limit.Bend(leg, parts, goal, away, Vec.Dot(away, pose.Target - hip) - foot.Path.Lift, ref solved);
             if (limit.Arriving > 0f)
             {
                 // It will stand where it comes down: with the leg as it then is.

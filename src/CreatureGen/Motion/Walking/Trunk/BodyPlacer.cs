@@ -156,7 +156,8 @@ internal sealed class BodyPlacer
         float act = context.Activity;
         Sum(clock);
         response.Tune(clock.Duty, clock.Shape.ForceDip * DipFraction(context, length));
-        float omega = (float)PortableMath.Tau * Math.Max(clock.Tempo, 0.05f);
+        float tempo = Math.Max(clock.Tempo, 0.05f);
+        float omega = (float)PortableMath.Tau * tempo;
         float scale = settings.Gravity / (omega * omega);
         float cap = clock.Shape.BounceCap * length;
         float bounce = clock.Shape.Bounce * settings.Walking.Bounce * act;
@@ -194,7 +195,7 @@ internal sealed class BodyPlacer
         float swing = act * settings.Walking.Sway;
         float pendulum = settings.Gravity / body.HipHeight / (omega * omega);
         float sway = Scalar.ClampSoftly((response.Sway(sums, feet.Length, pendulum) * swing * (1f + (0.8f * (emphasis - 1f)))) + context.Idle.Shift, body.MaxSway);
-        float stance = context.RootVelocity.Speed * clock.Duty / Math.Max(clock.Tempo, 0.05f);
+        float stance = context.RootVelocity.Speed * clock.Duty / tempo;
         float surge = response.Surge(sums, feet.Length, scale, stance / body.HipHeight, SurgeCap * length) * act;
 
         Spread(feet, out Girdle rear, out Girdle front);
