@@ -1,4 +1,6 @@
+using System;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit.Chains;
 using CreatureGen.Motion.Winged;
 
 namespace CreatureGen.Motion.Flying;
@@ -23,4 +25,18 @@ internal enum FlightIntent
 /// <param name="Settings">How it flies; null for the defaults.</param>
 /// <param name="ShownWings">How far wings are spread and raised to be seen, however it goes: 0..1, or beyond to raise them higher.</param>
 /// <param name="Sway">How folded wings swing with its steps.</param>
-internal readonly record struct FlightInput(FlightIntent Intent, float Speed, float YawRate = 0f, float ClimbRate = 0f, float Height = 100f, float Gravity = StandardGravity.Acceleration, FlyingSettings? Settings = null, float ShownWings = 0f, WingSway Sway = default);
+internal readonly record struct FlightInput(FlightIntent Intent, float Speed, float YawRate = 0f, float ClimbRate = 0f, float Height = 100f, float Gravity = StandardGravity.Acceleration, FlyingSettings? Settings = null, float ShownWings = 0f, WingSway Sway = default)
+{
+    /// <summary>Throws on numbers that are not finite or not in range.</summary>
+    public void Require()
+    {
+        StepCheck.Finite(Speed, nameof(Speed));
+        StepCheck.Finite(YawRate, nameof(YawRate));
+        StepCheck.Finite(ClimbRate, nameof(ClimbRate));
+        StepCheck.Finite(Height, nameof(Height));
+        if (!(StepCheck.Finite(Gravity, nameof(Gravity)) > 0))
+        {
+            throw new ArgumentOutOfRangeException(nameof(Gravity), Gravity, "expected a gravity above 0");
+        }
+    }
+}

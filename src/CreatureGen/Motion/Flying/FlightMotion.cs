@@ -1,6 +1,4 @@
 using System;
-using System.Numerics;
-using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit.Chains;
 using CreatureGen.Rigging;
 
@@ -16,9 +14,9 @@ internal static class FlightMotion
     /// <param name="state">Where it is in its motion.</param>
     /// <param name="dt">Seconds, not negative; longer steps than 0.25 s count as that.</param>
     /// <param name="local">Pose in the parents' space, one entry per joint of the creature's skeleton.</param>
-    /// <returns>How the root moves in the mean of the step: in the air towards what is asked, as fast as its build lets it get faster, slower and round; by the motion itself while it takes off or lands.</returns>
+    /// <returns>How far the root went, metres of the model: in the air towards what is asked, as fast as its build lets it get faster, slower and round; by the motion itself while it takes off or lands. Where it begins to do something else it stops, and has time left.</returns>
     /// <exception cref="ArgumentException">The pose does not fit, or a number is not finite.</exception>
-    public static BodyVelocity Update(FlightProfile profile, in FlightInput input, ref FlightState state, float dt, in Pose local)
+    public static RootDelta Update(FlightProfile profile, in FlightInput input, ref FlightState state, float dt, in Pose local)
     {
         if (profile == null)
         {
@@ -26,8 +24,10 @@ internal static class FlightMotion
         }
 
         local.Require(profile.Skeleton);
-        BodyVelocity root = FlightControl.Advance(profile, input, ref state, StepCheck.Step(dt));
+        input.Require();
+        FlightWay way = FlightPath.Travel(profile, input, ref state, (float)StepCheck.Step(dt));
+        FlightControl.Advance(profile, input, way, ref state);
         FlightPose.Write(profile, state, input, local);
-        return root;
+        return way.Root;
     }
 }

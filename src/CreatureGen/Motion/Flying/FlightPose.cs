@@ -88,7 +88,7 @@ internal static class FlightPose
         heave -= profile.CrouchDepth * crouch;
 
         // Near the ground the body comes down to where legs that hang free stand.
-        heave -= profile.SoleHeight * (1 - Scalar.Smooth(state.Height.Value / (FlightControl.LandingHeight * profile.LegLength)));
+        heave -= profile.SoleHeight * (1 - Scalar.Smooth(state.Height.Value / (FlightPath.LandingHeight * profile.LegLength)));
 
         double posture = profile.Buzzes ? Scalar.Lerp(0.08, -BuzzPitch, hover) : Scalar.Lerp(-0.03, -HoverPitch, hover);
 

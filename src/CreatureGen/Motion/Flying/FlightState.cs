@@ -13,6 +13,11 @@ internal struct FlightState
 
     internal double Cycle;
     internal double Age;
+
+    /// <summary>When it is decided how it goes on, and what is left of the update where it has begun to do something else, seconds.</summary>
+    internal DecisionClock Ticker;
+    internal float Left;
+
     internal CriticallyDampedSpring Frequency;
     internal CriticallyDampedSpring Amplitude;
     internal CriticallyDampedSpring Effort;
@@ -22,6 +27,14 @@ internal struct FlightState
     internal Momentum Ahead;
     internal Momentum Rise;
     internal CriticallyDampedSpring Turn;
+    internal double TurnGoal;
+
+    /// <summary>Height of the root above the ground, metres of the model.</summary>
+    internal double Above;
+
+    /// <summary>Speed at which it began to reach for the ground, metres of the model per second; null while it does not.</summary>
+    internal float? Foreseen;
+
     internal CriticallyDampedSpring Path;
     internal CriticallyDampedSpring Crouch;
     internal CriticallyDampedSpring Air;

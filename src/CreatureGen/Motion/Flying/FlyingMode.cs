@@ -31,8 +31,8 @@ internal sealed class FlyingMode : ILocomotionMode
     private FlightState state;
     private float turn;
 
-    /// <summary>Speed at which it began to reach for the ground, metres of the model per second; null while it does not.</summary>
-    private float? foreseen;
+    /// <summary>Speed of its legs when they came down or began to make ready for a leap, metres of the model per second; null while they go as they are asked.</summary>
+    private float? kept;
 
     public FlyingMode(FlightProfile profile, WalkingMode? legs, EventQueue events)
     {
@@ -72,21 +72,33 @@ internal sealed class FlyingMode : ILocomotionMode
 
     public RootPlace Update(RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
-        bool before = IsOnFeet;
-        BodyVelocity velocity = Fly(place, dt, input, settings, ground, layer, local);
-        if (IsOnFeet)
+        state.Left = dt;
+        do
         {
-            TouchDown(before, place, settings, ground, layer);
-            legs!.Sink = (float)(profile.CrouchDepth * state.CrouchDepth);
-            place = legs.Update(place, dt, OnFoot(input, place.Scale), settings, ground, layer, stance.Cleared());
-            Speed = legs.Speed;
+            bool before = IsOnFeet;
+            FlightPhase phase = state.Phase;
+            float left = state.Left;
+            RootDelta way = Fly(place, left, input, settings, ground, layer, local);
+            float gone = left - state.Left;
+            if (before)
+            {
+                legs!.Sink = (float)(profile.CrouchDepth * state.CrouchDepth);
+                place = legs.Update(place, gone, OnFoot(phase, input, place.Scale), settings, ground, layer, stance.Cleared());
+                Speed = legs.Speed;
+            }
+            else
+            {
+                Speed = state.Speed;
+                turn = (float)state.Turn.Value;
+                place = way.From(place);
+            }
+
+            Change(before, place, settings, ground, layer);
         }
-        else
+        while (state.Left > 0f);
+
+        if (!IsOnFeet)
         {
-            LiftOff(before, place.Scale);
-            Speed = state.Speed;
-            turn = (float)state.Turn.Value;
-            place = RootStep.Advance(place, velocity, dt);
             Reach(place, settings, ground, layer);
         }
 
@@ -96,21 +108,27 @@ internal sealed class FlyingMode : ILocomotionMode
 
     public void Follow(in RootPlace place, float dt, in RootPlace goal, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
-        bool before = IsOnFeet;
         float height = HeightOf(goal, settings, ground);
         MotionMedium medium = height > AirborneHeight * profile.LegLength ? MotionMedium.Air : MotionMedium.Ground;
-        BodyVelocity velocity = Fly(goal, dt, RootStep.Asked(place, dt, goal, medium), settings, ground, layer, local);
+        MotionInput asked = RootStep.Asked(place, dt, goal, medium);
+        state.Left = dt;
+        do
+        {
+            bool before = IsOnFeet;
+            Fly(goal, state.Left, asked, settings, ground, layer, local);
+            Speed = before ? legs!.Speed : state.Speed;
+            turn = (float)state.Turn.Value;
+            Change(before, goal, settings, ground, layer);
+        }
+        while (state.Left > 0f);
+
         if (IsOnFeet)
         {
-            TouchDown(before, goal, settings, ground, layer);
             legs!.Follow(place, dt, goal, settings, ground, layer, stance.Cleared());
             Speed = legs.Speed;
         }
         else
         {
-            LiftOff(before, goal.Scale);
-            Speed = state.Speed;
-            turn = (float)state.Turn.Value;
             Reach(goal, settings, ground, layer);
         }
 
@@ -121,6 +139,7 @@ internal sealed class FlyingMode : ILocomotionMode
     {
         state = Resting;
         Speed = 0f;
+        kept = null;
         Fly(place, 0f, default, settings, ground, layer, local);
         if (legs != null)
         {
@@ -140,38 +159,37 @@ internal sealed class FlyingMode : ILocomotionMode
         stance.CopyFrom(mode.stance);
         state = mode.state;
         turn = mode.turn;
-        foreseen = mode.foreseen;
+        kept = mode.kept;
         Speed = mode.Speed;
     }
 
     /// <summary>What is asked of the legs: a flier that makes ready to leap keeps its run, one that has come down runs out.</summary>
-    private MotionInput OnFoot(in MotionInput input, float scale)
+    private MotionInput OnFoot(FlightPhase phase, in MotionInput input, float scale)
     {
-        return state.Phase switch
+        if (phase == FlightPhase.Grounded && input.Medium != MotionMedium.Air)
         {
-            FlightPhase.Grounded => input,
-            FlightPhase.Crouching => new MotionInput(Math.Min(input.Speed, legs!.Speed * scale)),
-            _ => new MotionInput(Math.Min(input.Speed, Math.Max(legs!.Speed, 0f) * scale), input.YawRate),
-        };
-    }
-
-    /// <summary>Lets the legs take over, at the speed at which it came down.</summary>
-    private void TouchDown(bool before, in RootPlace place, in MotionSettings settings, IGround ground, BodyLayer? layer)
-    {
-        if (!before)
-        {
-            legs!.Sink = 0f;
-            legs.Arrive(place, Speed, foreseen ?? Speed, turn, settings, ground, layer, stance.Cleared());
-            legs.Tell(MotionEventKind.FootDown, Speed * place.Scale, PushForce);
-            foreseen = null;
+            kept = null;
+            return input;
         }
+
+        kept ??= Math.Max(legs!.Speed, 0f);
+        float speed = Math.Min(input.Speed, kept.Value * scale);
+        return phase == FlightPhase.Settling ? new MotionInput(speed, input.YawRate) : new MotionInput(speed);
     }
 
-    private void LiftOff(bool before, float scale)
+    /// <summary>Where it has come down, lets the legs take over, at the speed at which it did; where it has left the ground, tells so and goes on at the speed of its legs.</summary>
+    private void Change(bool before, in RootPlace place, in MotionSettings settings, IGround ground, BodyLayer? layer)
     {
-        if (before)
+        if (IsOnFeet && !before)
         {
-            legs!.Tell(MotionEventKind.FootUp, state.Speed * scale, PushForce);
+            Arrive(place, settings, ground, layer);
+            kept = null;
+            legs!.Tell(MotionEventKind.FootDown, Speed * place.Scale, PushForce);
+        }
+        else if (before && !IsOnFeet)
+        {
+            state.Ahead = Momentum.At(legs!.Speed);
+            legs.Tell(MotionEventKind.FootUp, state.Speed * place.Scale, PushForce);
         }
     }
 
@@ -180,14 +198,16 @@ internal sealed class FlyingMode : ILocomotionMode
     {
         if (legs != null && state.Phase == FlightPhase.Landing && state.Planting > 0)
         {
-            foreseen ??= Speed;
-            legs.Sink = 0f;
-            legs.Arrive(place, Speed, foreseen.Value, turn, settings, ground, layer, stance.Cleared());
+            Arrive(place, settings, ground, layer);
         }
-        else
-        {
-            foreseen = null;
-        }
+    }
+
+    /// <summary>Has its legs as they are, or will be, where they take over.</summary>
+    private void Arrive(in RootPlace place, in MotionSettings settings, IGround ground, BodyLayer? layer)
+    {
+        float speed = Math.Max(Speed, 0f);
+        legs!.Sink = 0f;
+        legs.Arrive(place, speed, state.Foreseen ?? speed, turn, settings, ground, layer, stance.Cleared());
     }
 
     private void Mix(in Pose local)
@@ -198,7 +218,7 @@ internal sealed class FlyingMode : ILocomotionMode
         }
     }
 
-    private BodyVelocity Fly(in RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
+    private RootDelta Fly(in RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         FlightIntent intent = legs == null || input.Medium == MotionMedium.Air ? FlightIntent.Air : FlightIntent.Ground;
         float scale = place.Scale;
@@ -210,14 +230,15 @@ internal sealed class FlyingMode : ILocomotionMode
         state.RunOut = legs?.RunOut ?? 0f;
         state.Raised = legs?.Raised ?? 0f;
         var asked = new FlightInput(intent, input.Speed / scale, input.YawRate, input.ClimbRate / scale, HeightOf(place, settings, ground), settings.Gravity / scale, settings.Flying, Math.Max(layer?.Wings ?? 0f, 0f), IsOnFeet ? legs!.Sway : default);
-        BodyVelocity velocity = FlightMotion.Update(profile, asked, ref state, dt, local);
+        RootDelta way = FlightMotion.Update(profile, asked, ref state, dt, local);
+        events.Left = state.Left;
         for (int k = state.BeatsBegun - 1; k >= 0; k--)
         {
             float ago = state.SecondsSinceBeat + (k / state.BeatFrequency);
-            events.Add(new MotionEvent(MotionEventKind.WingBeat, -1, profile.Shoulder, place.Position, Rotation.Rotate(place.Rotation, Vector3.UnitY), 0, velocity.Linear.Z * scale, state.BeatWidth, ago));
+            events.Add(new MotionEvent(MotionEventKind.WingBeat, -1, profile.Shoulder, place.Position, Rotation.Rotate(place.Rotation, Vector3.UnitY), 0, state.Speed * scale, state.BeatWidth, ago));
         }
 
-        return velocity;
+        return way;
     }
 
     /// <summary>Height of the root above the ground, metres of the model.</summary>

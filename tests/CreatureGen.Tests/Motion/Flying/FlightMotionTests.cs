@@ -239,8 +239,8 @@ public sealed class FlightMotionTests
             {
                 FlightIntent intent = i < 600 ? FlightIntent.Air : FlightIntent.Ground;
                 float climb = state.Phase == FlightPhase.Airborne ? (intent == FlightIntent.Air ? 0.3f : -0.3f) * profile.CruiseSpeed : 0;
-                BodyVelocity root = FlightMotion.Update(profile, new FlightInput(intent, 0.5f * profile.CruiseSpeed, 0, climb, height), ref state, dt, body.Local);
-                height = Math.Max(0, height + (root.Linear.Y * dt));
+                RootDelta root = FlightMotion.Update(profile, new FlightInput(intent, 0.5f * profile.CruiseSpeed, 0, climb, height), ref state, dt, body.Local);
+                height = Math.Max(0, height + root.Shift.Y);
                 if (seen.Count == 0 || seen[^1] != state.Phase)
                 {
                     seen.Add(state.Phase);

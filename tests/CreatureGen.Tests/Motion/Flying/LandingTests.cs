@@ -28,8 +28,8 @@ public sealed class LandingTests
             for (int i = 0; i < 3000 && state.Phase is FlightPhase.Airborne or FlightPhase.Landing; i++)
             {
                 var input = new FlightInput(FlightIntent.Ground, 0.6f * profile.CruiseSpeed, 0f, -0.3f * profile.CruiseSpeed, height);
-                BodyVelocity root = FlightMotion.Update(profile, input, ref state, dt, body.Local);
-                height = Math.Max(0f, height + (root.Linear.Y * dt));
+                RootDelta root = FlightMotion.Update(profile, input, ref state, dt, body.Local);
+                height = Math.Max(0f, height + root.Shift.Y);
                 if (state.Phase == FlightPhase.Landing && height > 0.9f * profile.LegLength)
                 {
                     int trunk = profile.Chain.Body;

@@ -75,6 +75,33 @@ public sealed class MomentumTests
         Assert.Equal(1, way / reference, 1e-3);
     }
 
+    [Theory]
+    [InlineData(2)]
+    [InlineData(7)]
+    public void A_plan_that_is_gone_through_in_pieces_ends_where_it_does_in_one(int pieces)
+    {
+        const double Period = 1.0 / 240;
+        Momentum whole = default;
+        Momentum cut = default;
+        double way = 0;
+        double sum = 0;
+        for (int i = 0; i < 480; i++)
+        {
+            double goal = i < 240 ? 1.3 : -0.4;
+            whole.Plan(goal, Fish, Period);
+            cut.Plan(goal, Fish, Period);
+            way += whole.Advance(Period);
+            for (int k = 0; k < pieces; k++)
+            {
+                sum += cut.Advance(Period / pieces);
+            }
+        }
+
+        Assert.InRange(way, 0.1, 2);
+        Assert.Equal(way, sum, 1e-12);
+        Assert.Equal(whole.Speed, cut.Speed, 1e-12);
+    }
+
     [Fact]
     public void No_time_changes_nothing()
     {

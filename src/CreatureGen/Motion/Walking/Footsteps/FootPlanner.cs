@@ -2,6 +2,7 @@ using System;
 using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Events;
+using CreatureGen.Motion.Modes;
 using CreatureGen.Motion.Toolkit.Steps;
 using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Motion.Walking.Pace;

@@ -1,5 +1,6 @@
 using System.Numerics;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Modes;
 
 namespace CreatureGen.Motion.Walking.Footsteps;
 
