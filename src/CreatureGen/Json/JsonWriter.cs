@@ -1,6 +1,5 @@
 using System;
 using System.Buffers;
-using System.IO;
 using System.Text;
 
 namespace CreatureGen.Json;
@@ -110,13 +109,6 @@ internal sealed class JsonWriter : IDisposable
             RequireFinished();
             return buffer.AsSpan(0, length);
         }
-    }
-
-    /// <summary>Writes the finished text to a stream in UTF-8, without a byte order mark.</summary>
-    public void CopyTo(Stream stream)
-    {
-        RequireFinished();
-        stream.Write(buffer, 0, length);
     }
 
     /// <summary>Gives the memory back; the writer must not be used again. Without disposing, the collector takes it.</summary>

@@ -65,6 +65,9 @@ internal static class LegSolver
     private const float Near = 0.5f;
     private const float Far = 0.8f;
 
+    /// <summary>Angle on either side of the lowest place of an end that is too low, radians, in which it goes through that to the other side: at once it was a flip of the knee.</summary>
+    private const double Passing = 0.7;
+
     /// <summary>Parts of its reach below which such a leg is folded under the body, where it keeps its bend, and from which on it is not.</summary>
     private const float Folded = 0.55f;
     private const float Unfolded = 0.7f;
@@ -166,9 +169,16 @@ internal static class LegSolver
         {
             double scale = 1d / Math.Sqrt(squared);
             double asked = Math.Min((height - still) * scale, 1d);
-            double side = ((sin * a) - (cos * b) < 0 ? -1d : 1d) * Math.Sqrt((1d - asked) * (1d + asked));
-            cos = ((a * asked) - (b * side)) * scale;
-            sin = ((b * asked) + (a * side)) * scale;
+            double side = ((sin * a) - (cos * b) < 0 ? -1d : 1d);
+
+            // From the highest place on: where it is, and where it is high enough. Down to the lowest lies as much again on the other side.
+            double before = PortableMath.Atan2(Math.Abs((sin * a) - (cos * b)), (cos * a) + (sin * b));
+            double high = PortableMath.Atan2(Math.Sqrt((1d - asked) * (1d + asked)), asked);
+            double room = PortableMath.Pi - high;
+            double angle = high + (room * (1d - Math.Min((PortableMath.Pi - before) / Math.Min(room, Passing), 1d)));
+            PortableMath.SinCos(angle, out double sine, out double cosine);
+            cos = ((a * cosine) - (b * side * sine)) * scale;
+            sin = ((b * cosine) + (a * side * sine)) * scale;
             SetKnee(leg, cos, sin, tolerance, ref turns);
         }
     }

@@ -41,6 +41,45 @@ public sealed class LegSolverTests
         Assert.True(raised > 100, $"only {raised} were raised");
     }
 
+    /// <summary>It flipped from one side of the place below the knee to the other, by up to the whole of what is too low.</summary>
+    [Fact]
+    public void A_knee_that_opens_goes_through_what_is_too_low_without_a_leap()
+    {
+        const float Step = 0.01f;
+        int passed = 0;
+        foreach (ulong seed in new ulong[] { 3, 9, 42, 101, 125 })
+        {
+            foreach (LegRig leg in new MotionProfile(Walkers.Any(seed)).Legs!.Legs)
+            {
+                foreach (float swung in new[] { -1.2f, -0.8f, 0.8f, 1.2f })
+                {
+                    float? last = null;
+                    for (int i = -314; i < 314; i++)
+                    {
+                        double cosine = Math.Cos(Step * i);
+                        double sine = Math.Sin(Step * i);
+                        if (leg.Limits.Knee.Clamp(ref cosine, ref sine, 0f) != 0)
+                        {
+                            continue;
+                        }
+
+                        LegRotations turns = Held(leg, swung);
+                        turns.Knee = Rotation.FromAxisAngle(leg.Hinge, Step * i);
+                        turns.KneeHalfSine = MathF.Sin(0.5f * Step * i);
+                        turns.Shank = Rotation.Multiply(turns.Thigh, turns.Knee);
+                        float free = Height(leg, turns);
+                        LegSolver.Raise(leg, leg.Parts, Vector3.UnitY, Rotation.Rotate(turns.Thigh, leg.Parts.Upper).Y - (0.7f * leg.Shank.Length()), 0f, ref turns);
+                        Assert.True(Math.Abs(turns.KneeTurn - (last ?? turns.KneeTurn)) < 5f * Step, $"{seed}: the knee leaps from {last} to {turns.KneeTurn}");
+                        last = turns.KneeTurn;
+                        passed += Height(leg, turns) > free + (0.02f * leg.Length) ? 1 : 0;
+                    }
+                }
+            }
+        }
+
+        Assert.True(passed > 100, $"only {passed} were raised");
+    }
+
     [Fact]
     public void An_end_that_is_high_enough_stays_where_it_is()
     {
