@@ -23,6 +23,7 @@ namespace CreatureGen.Blueprints;
 /// <param name="Frills">Collars that stand off the head.</param>
 /// <param name="Coat">Colours and pattern.</param>
 /// <param name="Lineage">Its parents, if it was bred; null for creatures of seeds.</param>
+/// <param name="Fork">Where its body forks into two necks with a head each; null for a creature with one head.</param>
 public sealed record CreatureBlueprint(
     int Algorithm,
     ulong Seed,
@@ -42,7 +43,8 @@ public sealed record CreatureBlueprint(
     ValueList<ManeBlueprint> Manes,
     ValueList<FrillBlueprint> Frills,
     CoatBlueprint Coat,
-    LineageBlueprint? Lineage = null)
+    LineageBlueprint? Lineage = null,
+    ForkBlueprint? Fork = null)
 {
     /// <summary>
     /// Version of the algorithm of this library: the same seed, options and algorithm give the same bytes. It is raised whenever a seed or a blueprint would build other bytes.

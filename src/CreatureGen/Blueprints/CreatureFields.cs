@@ -62,7 +62,8 @@ internal static class CreatureFields
             visit.List("manes", creature.Manes, new WholeRange(0, 6), NeckFields.Mane),
             visit.List("frills", creature.Frills, new WholeRange(0, 2), NeckFields.Frill),
             visit.Record("coat", creature.Coat, CoatFields.Coat),
-            visit.Since(4).Optional("lineage", creature.Lineage, LineageFields.Lineage)));
+            visit.Since(4).Optional("lineage", creature.Lineage, LineageFields.Lineage),
+            visit.Since(4).Optional("fork", creature.Fork, NeckFields.Fork)));
 
     /// <summary>The number of the format belongs to the text and not to the creature; that of the algorithm to both.</summary>
     private static int VisitHeading(IFieldVisitor visit, CreatureBlueprint creature)

@@ -41,4 +41,14 @@ internal static class NeckFields
             visit.Number("thickness", frill.Thickness, new NumberRange(0.002, 0.5)),
             visit.Whole("points", frill.Points, new WholeRange(2, 12)),
             visit.Number("scallop", frill.Scallop, new NumberRange(0, 0.6))));
+
+    /// <summary>A fork.</summary>
+    public static readonly RecordDescription<ForkBlueprint> Fork = new(
+        new ForkBlueprint(Ring: 22, Spread: 0.6, Length: 1, Size: 0.85),
+        JsonLayout.Indented,
+        (visit, fork) => new ForkBlueprint(
+            visit.Whole("ring", fork.Ring, new WholeRange(20, 26)),
+            visit.Number("spread", fork.Spread, new NumberRange(0.1, 1.2)),
+            visit.Number("length", fork.Length, new NumberRange(0.5, 2)),
+            visit.Number("size", fork.Size, new NumberRange(0.4, 1))));
 }

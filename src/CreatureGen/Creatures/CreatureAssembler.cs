@@ -5,6 +5,7 @@ using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Appearance;
 using CreatureGen.Blueprints;
+using CreatureGen.Creatures.Forks;
 using CreatureGen.Features;
 using CreatureGen.Geometry;
 using CreatureGen.Limbs;
@@ -43,7 +44,6 @@ public static class CreatureAssembler
 
         var input = new RigInput(blueprint, grown.Skin, surface, grown.Adjacency, appendages.Concat(DiscEdges.Of(blueprint, grown.Skin)).ToArray(), grown.Mouth, EyeSetter.SocketOf(blueprint, eye));
         Rig rig = CreatureRigger.Build(input);
-        FinishedRig finished = rig.Scaled(scale);
         observer?.StageFinished(AssemblyStage.Rig);
 
         SkinWeights[] weights = AnatomicalWeights.Solve(input, rig);
@@ -51,10 +51,12 @@ public static class CreatureAssembler
 
         var colours = new Vector3[surface.Positions.Length];
         coat.Paint(surface.Addresses, surface.Positions, surface.Mirror, normals, colours);
-        CreatureMesh full = MeshAssembler.Assemble(surface, normals, colours, weights, pieces, rig, scale);
+        Body body = HeadFork.Apply(blueprint, grown, new Body(surface, normals, colours, weights, pieces, rig));
+        CreatureMesh full = MeshAssembler.Assemble(body, scale);
         observer?.StageFinished(AssemblyStage.Appearance);
 
-        MassProperties mass = Weigh(surface, scale);
+        FinishedRig finished = body.Rig.Scaled(scale);
+        MassProperties mass = Weigh(body.Surface, scale);
         IReadOnlyList<CapsuleCollider> bones = BoneCapsules.Fit(finished.Skeleton, full.Weights, full.Positions);
         CreatureMesh mesh = CreatureLods.Within(blueprint.TriangleBudget, full);
         var creature = new Creature(blueprint, mesh, finished.Skeleton, finished.Limbs, finished.AttachmentPoints, finished.Sockets, finished.Body, bones, mass, finished.StandingHeight, LocomotionSpeed.Of(blueprint, finished));

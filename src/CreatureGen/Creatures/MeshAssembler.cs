@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Appearance;
+using CreatureGen.Creatures.Forks;
 using CreatureGen.Features;
 using CreatureGen.Geometry;
 using CreatureGen.Rigging;
@@ -13,9 +14,10 @@ namespace CreatureGen.Creatures;
 /// <summary>Turns the welded surface and the pieces set on it into vertex buffers: splits vertices where texture charts part, and groups triangles by material.</summary>
 internal static class MeshAssembler
 {
-    /// <summary>Builds the buffers, larger by a factor than what they are built from. Normals, colours and weights have one entry per vertex of the surface.</summary>
-    public static CreatureMesh Assemble(Surface surface, Vector3[] normals, Vector3[] colours, SkinWeights[] weights, IReadOnlyList<Piece> pieces, Rig rig, float scale)
+    /// <summary>Builds the buffers, larger by a factor than what they are built from.</summary>
+    public static CreatureMesh Assemble(Body body, float scale)
     {
+        (Surface surface, Vector3[] normals, Vector3[] colours, SkinWeights[] weights, IReadOnlyList<Piece> pieces, Rig rig) = body;
         using var copies = new PooledList<SkinCopy>(surface.Positions.Length * 3 / 2);
         int vertices = 0;
         int skinIndices = surface.Triangles.Length;

@@ -63,7 +63,7 @@ internal static class BoneCapsules
     {
         Quaternion rotation = skeleton.ModelRotations[joint];
         Vector3 origin = skeleton.ModelPositions[joint];
-        CapsuleFit fit = CapsuleFit.Around(held, origin, Rotation.Rotate(rotation, Vector3.UnitY), skeleton.Joints[joint].Side == Side.Median, scratch);
+        CapsuleFit fit = CapsuleFit.Around(held, origin, Rotation.Rotate(rotation, Vector3.UnitY), skeleton.Joints[joint].Side == Side.Median && origin.X == 0f, scratch);
         Quaternion inverse = Rotation.Inverse(rotation);
         return new CapsuleCollider(joint, Rotation.Rotate(inverse, fit.Start - origin), Rotation.Rotate(inverse, fit.End - origin), fit.Radius);
     }

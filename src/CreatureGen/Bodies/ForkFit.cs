@@ -1,0 +1,96 @@
+using System;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Maths;
+
+namespace CreatureGen.Bodies;
+
+/// <summary>Finds where a body may fork into two necks, how far these lean apart and how long they are, so that both heads have room beside each other.</summary>
+internal static class ForkFit
+{
+    /// <summary>Room that a head has beside the other, in parts of what it takes.</summary>
+    private const double HeadRoom = 1.1;
+
+    // Radians: necks that lean more are arms.
+    private const double LeastSpread = 0.4;
+    private const double MostSpread = 0.85;
+    private const double SpreadStep = 0.05;
+
+    // Necks too short to lean apart are longer than with one head, so far that they still belong to the body.
+    private const double MostLength = 1.6;
+    private const double LengthStep = 0.15;
+
+    /// <summary>What all the length that a neck may gain is worth in radians of spread.</summary>
+    private const double LengthCost = 0.5;
+
+    /// <summary>The fork that changes the body least; null where none of its necks would do.</summary>
+    public static ForkBlueprint? Find(CreatureBlueprint blueprint, BodyShape shape, double size)
+    {
+        int ring = ForkRules.RingOf(blueprint);
+        if (ring < 0)
+        {
+            return null;
+        }
+
+        double half = HeadRoom * size * HalfWidth(blueprint, shape);
+        ForkBlueprint? best = null;
+        double least = double.PositiveInfinity;
+        for (double length = 1; length <= MostLength; length += LengthStep)
+        {
+            for (double spread = LeastSpread; spread <= MostSpread; spread += SpreadStep)
+            {
+                double cost = spread + (LengthCost * (length - 1) / (MostLength - 1));
+                var fork = new ForkBlueprint(ring, spread, length, size);
+                if (cost < least && new ForkCourse(shape, fork).Apart >= half)
+                {
+                    (best, least) = (fork, cost);
+                }
+            }
+        }
+
+        return best;
+    }
+
+    /// <summary>How far the head reaches to the side, with what grows on it, metres.</summary>
+    private static double HalfWidth(CreatureBlueprint blueprint, BodyShape shape)
+    {
+        BodySkin skin = BodySkin.Span(shape, blueprint);
+        double widest = 0;
+        for (int i = 0; i <= ForkCourse.Rigid; i++)
+        {
+            for (int j = 1; j < BodyGrid.Segments / 2; j++)
+            {
+                widest = Math.Max(widest, skin[i, j].X);
+            }
+        }
+
+        foreach (EarBlueprint ear in blueprint.Ears)
+        {
+            SurfacePoint root = skin.At(ear.Socket.Ring + (ear.Socket.Rows / 2.0), ear.Socket.Segment + (ear.Socket.Columns / 2.0));
+            var direction = new Vector3((float)ear.Outward, (float)ear.Upward, (float)ear.Forward);
+            widest = Math.Max(widest, root.Position.X + (ear.Length * Vec.Normalize(direction, Vector3.UnitY).X) + (0.5 * ear.Width));
+        }
+
+        foreach (FeatureBlueprint part in blueprint.Features)
+        {
+            if (part.Ring <= ForkCourse.Rigid && part.Segment is > 0 and < BodyGrid.Segments / 2)
+            {
+                widest = Math.Max(widest, Reach(skin.At(part.Ring, part.Segment), part, shape.Forward((int)part.Ring)));
+            }
+        }
+
+        foreach (FrillBlueprint frill in blueprint.Frills)
+        {
+            widest = Math.Max(widest, BodyShape.At(shape.Width, frill.Ring) + (frill.Length * PortableMath.Cos(frill.Tilt)));
+        }
+
+        return widest;
+    }
+
+    private static double Reach(SurfacePoint skin, FeatureBlueprint part, Vector3 forward)
+    {
+        Vector3 direction = (skin.Normal * (float)part.Outward) + (Vector3.UnitY * (float)part.Upward) + (forward * (float)part.Forward) + (Vector3.UnitX * (float)part.Sideward);
+        return skin.Position.X + Math.Max(0, part.Length * (Vec.Normalize(direction, skin.Normal).X + part.BendSide)) + part.Radius;
+    }
+}
