@@ -47,6 +47,7 @@ internal static class BlueprintRules
         CheckDirections(blueprint, problems);
         CheckManes(blueprint.Manes, problems);
         SocketRules.Check(blueprint, problems);
+        ForkRules.Check(blueprint, problems);
     }
 
     /// <summary>How creatures of a plan move; null for an undefined plan.</summary>

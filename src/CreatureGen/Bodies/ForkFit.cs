@@ -12,23 +12,18 @@ internal static class ForkFit
     /// <summary>Room that a head has beside the other, in parts of what it takes.</summary>
     private const double HeadRoom = 1.1;
 
-    // Radians: necks that lean more are arms.
-    private const double LeastSpread = 0.4;
-    private const double MostSpread = 0.85;
-    private const double SpreadStep = 0.05;
+    // Radians: necks that lean more are arms. Necks too short to lean apart are longer than with one head, so far that they still belong to the body.
+    private static readonly double[] spreads = { 0.4, 0.45, 0.5, 0.55, 0.6, 0.65, 0.7, 0.75, 0.8, 0.85 };
+    private static readonly double[] lengths = { 1, 1.15, 1.3, 1.45, 1.6 };
 
-    // Necks too short to lean apart are longer than with one head, so far that they still belong to the body.
-    private const double MostLength = 1.6;
-    private const double LengthStep = 0.15;
-
-    /// <summary>What all the length that a neck may gain is worth in radians of spread.</summary>
-    private const double LengthCost = 0.5;
+    /// <summary>What twice the length of a neck is worth in radians of spread.</summary>
+    private const double LengthCost = 0.8;
 
     /// <summary>The fork that changes the body least; null where none of its necks would do.</summary>
     public static ForkBlueprint? Find(CreatureBlueprint blueprint, BodyShape shape, double size)
     {
         int ring = ForkRules.RingOf(blueprint);
-        if (ring < 0)
+        if (ring < 0 || BlueprintValidator.Validate(blueprint with { Fork = new ForkBlueprint(ring, spreads[0], 1, size) }).Count > 0)
         {
             return null;
         }
@@ -36,11 +31,11 @@ internal static class ForkFit
         double half = HeadRoom * size * HalfWidth(blueprint, shape);
         ForkBlueprint? best = null;
         double least = double.PositiveInfinity;
-        for (double length = 1; length <= MostLength; length += LengthStep)
+        foreach (double length in lengths)
         {
-            for (double spread = LeastSpread; spread <= MostSpread; spread += SpreadStep)
+            foreach (double spread in spreads)
             {
-                double cost = spread + (LengthCost * (length - 1) / (MostLength - 1));
+                double cost = spread + (LengthCost * (length - 1));
                 var fork = new ForkBlueprint(ring, spread, length, size);
                 if (cost < least && new ForkCourse(shape, fork).Apart >= half)
                 {

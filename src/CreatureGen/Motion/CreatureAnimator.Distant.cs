@@ -78,6 +78,7 @@ public sealed partial class CreatureAnimator
             distant.Begin(Legs!, LocalPose);
             secondary.Reset();
             headGaze?.Reset();
+            secondHead?.Reset();
         }
     }
 

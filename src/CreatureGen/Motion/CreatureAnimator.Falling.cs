@@ -45,5 +45,6 @@ public sealed partial class CreatureAnimator
 
         Mode?.Hit(joint, impulse, root, ModelPose, settings);
         headGaze?.Wince();
+        secondHead?.Gaze.Wince();
     }
 }

@@ -37,6 +37,7 @@ public sealed partial class CreatureAnimator
     private Locomotion locomotion;
     private readonly SecondaryMotion secondary;
     private readonly HeadGaze? headGaze;
+    private readonly SecondHead? secondHead;
     private readonly GroundGate gate = new();
     private Actor? actor;
     private Vector3? lookAt;
@@ -68,6 +69,7 @@ public sealed partial class CreatureAnimator
         root = RootPlace.Identity;
         secondary = new SecondaryMotion(profile.SpringRigs, profile.SpringSettings);
         headGaze = profile.Gaze == null ? null : new HeadGaze(profile.Gaze, profile.Subject);
+        secondHead = SecondHead.Of(profile.Subject);
         locomotion = new Locomotion(profile, events);
     }
 
@@ -297,6 +299,7 @@ public sealed partial class CreatureAnimator
         distant?.Reset();
         secondary.Reset();
         headGaze?.Reset();
+        secondHead?.Reset();
         Finish(0f);
     }
 
@@ -318,6 +321,11 @@ public sealed partial class CreatureAnimator
         if (headGaze != null)
         {
             headGaze.Held = act;
+        }
+
+        if (secondHead != null)
+        {
+            secondHead.Gaze.Held = act;
         }
     }
 
@@ -371,6 +379,7 @@ public sealed partial class CreatureAnimator
         bool awake = State is not (BodyState.Limp or BodyState.Rising);
         Performer? performer = awake && actor?.Performer is { IsActive: true } active ? active : null;
         bool looks = awake && performer is not { HoldsHead: true };
+        secondHead?.NoteCarried(LocalPose);
         if (headGaze != null && near)
         {
             headGaze.Lids = performer?.Lids ?? 0f;
@@ -378,6 +387,7 @@ public sealed partial class CreatureAnimator
             headGaze.Update(looks ? lookAt : null, gaze, root, Mode?.Speed ?? 0f, looks ? settings.Idle : 0f, dt, LocalPose, ModelPose);
         }
 
+        secondHead?.NoteLooking(LocalPose);
         bool carried = performer != null && StandsOnFeet;
         ActGround ground = carried ? ActGround.Under(Legs!.Feet, root) : ActGround.Level;
         if (performer != null)
@@ -386,6 +396,7 @@ public sealed partial class CreatureAnimator
             actor!.Tell(root, ModelPose);
         }
 
+        MoveSecondHead(awake, looks, near, performer?.Lids ?? 0f, dt);
         if (awake && near)
         {
             secondary.Update(root, Mode?.Clearance ?? 0f, Mode?.Incline ?? 0f, Balanced(), dt, LocalPose, ModelPose);

@@ -54,18 +54,24 @@ internal sealed class HeadGaze
     /// <param name="rig">Its head.</param>
     /// <param name="subject">Big ones are slow; fish look with their eyes; no two of a species look about or blink together.</param>
     public HeadGaze(GazeRig rig, MotionSubject subject)
+        : this(rig, subject, subject.Habits)
+    {
+    }
+
+    /// <summary>Gives a head habits of its own.</summary>
+    public HeadGaze(GazeRig rig, MotionSubject subject, Seed habits)
     {
         float mass = subject.Mass.Mass;
         this.rig = rig;
-        habits = subject.Habits;
+        this.habits = habits;
         blinks = habits.Child("blinks");
 
         // Big heads turn slowly: 10 s⁻¹ for a cat, 4 for a cow.
         float rate = (float)Scalar.Clamp(12 * PortableMath.Pow(mass, -0.17), 2.5, 16);
         bool stiff = subject.Kind == LocomotionKind.Swimming && rig.Joints.Length == 1;
         head = stiff ? new GazeSettings(rate, FishYaw, FishPitch, FishPitch) : new GazeSettings(rate);
-        lids = Eyelids.Of(rig.Skeleton);
-        ears = Ears.Of(rig.Skeleton);
+        lids = Eyelids.Of(rig.Skeleton, rig.Head);
+        ears = Ears.Of(rig.Skeleton, rig.Head);
         flicks = habits.Child("ears");
         flickPeriod = (float)Scalar.Clamp(2.5 * PortableMath.Pow(mass, 0.08), 1.5, 6);
 

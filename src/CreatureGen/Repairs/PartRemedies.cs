@@ -21,6 +21,17 @@ internal static class PartRemedies
         DropTwins(log);
         PlaceSockets(log);
         FitPlan(log);
+        Unfork(log);
+    }
+
+    private static void Unfork(RepairLog log)
+    {
+        var problems = new ProblemList("");
+        ForkRules.Check(log.Blueprint, problems);
+        if (problems.All.Count > 0)
+        {
+            log.Change(log.Blueprint with { Fork = null }, "limbs or parts of the head were in the way of a fork");
+        }
     }
 
     private static void FillHollows(RepairLog log)

@@ -18,6 +18,7 @@ internal static class SurfaceRemedy
 
     private static readonly (string Name, Func<CreatureBlueprint, int> Count, Func<CreatureBlueprint, int, CreatureBlueprint> Without)[] lists =
     {
+        ("forks", b => b.Fork == null ? 0 : 1, (b, _) => b with { Fork = null }),
         ("features", b => b.Features.Count, (b, i) => b with { Features = Without(b.Features, i) }),
         ("manes", b => b.Manes.Count, (b, i) => b with { Manes = Without(b.Manes, i) }),
         ("frills", b => b.Frills.Count, (b, i) => b with { Frills = Without(b.Frills, i) }),

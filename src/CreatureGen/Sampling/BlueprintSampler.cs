@@ -133,7 +133,7 @@ public static class BlueprintSampler
         HeadBlueprint head = HeadSampler.Sample(builder);
         CoatBlueprint coat = CoatSampler.Sample(builder, options.Palette);
         double scale = NaturalSize.Draw(builder, options);
-        return new CreatureBlueprint(
+        return ForkSampler.Add(builder, new CreatureBlueprint(
             CreatureBlueprint.CurrentAlgorithm,
             seed,
             builder.Kind,
@@ -151,6 +151,6 @@ public static class BlueprintSampler
             new ValueList<FeatureBlueprint>(builder.Features),
             new ValueList<ManeBlueprint>(builder.Manes),
             new ValueList<FrillBlueprint>(builder.Frills),
-            coat);
+            coat));
     }
 }

@@ -7,12 +7,9 @@ using CreatureGen.Rigging;
 
 namespace CreatureGen.Creatures.Forks;
 
-/// <summary>The skeleton of a body that forks into two necks. The joints of the left neck keep name and number of those of a body with one; their mirror images follow all others, with names that end in <see cref="Suffix"/>.</summary>
+/// <summary>The skeleton of a body that forks into two necks. The joints of the left neck keep name and number of those of a body with one; their mirror images follow all others, with names that end in <see cref="Heads.Suffix"/>.</summary>
 internal sealed class ForkedRig
 {
-    /// <summary>The end of the names of what belongs to the second head.</summary>
-    public const string Suffix = "_2";
-
     private readonly Rig one;
     private readonly ForkCourse course;
     private readonly SkeletonBuilder builder = new();
@@ -79,7 +76,7 @@ internal sealed class ForkedRig
             if (Second[j] < 0 && parent >= 0 && Second[parent] >= 0 && !(joints[j].Role is JointRole.Neck or JointRole.Head))
             {
                 Second[j] = 0;
-                rings[j] = rings[parent];
+                rings[j] = joints[parent].Role == JointRole.Head ? ForkCourse.Rigid : rings[parent];
             }
 
             Second[j] = Second[j] < 0 ? -1 : next++;
@@ -98,12 +95,14 @@ internal sealed class ForkedRig
             }
         }
 
-        // Bones of the neck point at the next joint, which went a little aside of the way that they are turned.
-        for (int bone = 1; bone < one.Spine.Joints.Length && Second[one.Spine.Joints[bone]] >= 0; bone++)
+        // Bones of the neck point at the next joint, which went a little aside of the way that they are turned; a head goes on as it did.
+        for (int bone = 0; bone < one.Spine.Joints.Length && Second[one.Spine.Joints[bone]] >= 0; bone++)
         {
             int joint = one.Spine.Joints[bone];
-            Vector3 onward = places[one.Spine.Joints[bone - 1]] - places[joint];
-            turns[joint] = JointFrame.Hinged(onward, Rotation.Rotate(turns[joint], Vector3.UnitX));
+            if (rings[joint] > ForkCourse.Rigid)
+            {
+                turns[joint] = JointFrame.Hinged(Onward(bone) - places[joint], Rotation.Rotate(turns[joint], Vector3.UnitX));
+            }
         }
     }
 
@@ -124,25 +123,20 @@ internal sealed class ForkedRig
 
             JointDefinition first = builder[j];
             int parent = Second[joints[j].Parent] >= 0 ? Second[joints[j].Parent] : joints[j].Parent;
-            string name = joints[one.Skeleton.Mirrors[j]].Name + Suffix;
+            string name = joints[one.Skeleton.Mirrors[j]].Name + Heads.Suffix;
             builder.Add(parent, Opposite(joints[j].Side), new JointDefinition(name, first.Role, Vec.Mirror(first.Position), Rotation.Mirror(first.Rotation), first.Length, first.Limit.Mirrored()));
         }
     }
 
+    /// <summary>Where a bone of neck or head ends.</summary>
+    private Vector3 Onward(int bone) => bone > 0 ? places[one.Spine.Joints[bone - 1]] : course.Move(ForkCourse.Rigid, one.Line.HeadTip);
+
     private JointDefinition Moved(int j)
     {
         Joint joint = one.Skeleton.Joints[j];
-        float length = joint.Length;
-        if (Second[j] >= 0)
-        {
-            int bone = one.Spine.BoneOf(j);
-            length = bone > 0 ? Vec.Distance(places[j], places[one.Spine.Joints[bone - 1]]) : length * course.SizeAt(rings[j]);
-        }
-        else if (one.Spine.BoneOf(j) is > 0 and int behind && Second[one.Spine.Joints[behind - 1]] >= 0)
-        {
-            length = Vec.Distance(places[j], places[one.Spine.Joints[behind - 1]]);
-        }
-
+        int bone = one.Spine.BoneOf(j);
+        bool forked = bone >= 0 && (Second[j] >= 0 || (bone > 0 && Second[one.Spine.Joints[bone - 1]] >= 0));
+        float length = forked ? Vec.Distance(places[j], Onward(bone)) : Second[j] >= 0 ? joint.Length * course.SizeAt(rings[j]) : joint.Length;
         return new JointDefinition(joint.Name, joint.Role, places[j], turns[j], length, joint.Limit);
     }
 
@@ -220,7 +214,7 @@ internal sealed class ForkedRig
                     Width = point.Width * course.SizeAt(ring),
                 };
                 points[i] = moved;
-                points.Add(moved with { Name = Mirrored(point.Name) + Suffix, Joint = Second[point.Joint], Position = Vec.Mirror(moved.Position), Normal = Vec.Mirror(moved.Normal) });
+                points.Add(moved with { Name = Mirrored(point.Name) + Heads.Suffix, Joint = Second[point.Joint], Position = Vec.Mirror(moved.Position), Normal = Vec.Mirror(moved.Normal) });
             }
         }
 
@@ -239,7 +233,7 @@ internal sealed class ForkedRig
                 sockets[i] = moved;
                 sockets.Add(moved with
                 {
-                    Name = Mirrored(socket.Name) + Suffix,
+                    Name = Mirrored(socket.Name) + Heads.Suffix,
                     Side = Opposite(socket.Side),
                     Joint = Second[socket.Joint],
                     Position = Vec.Mirror(moved.Position),

@@ -1,3 +1,4 @@
+using System;
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Maths;
@@ -23,10 +24,10 @@ internal sealed class Ears
         this.roots = roots;
     }
 
-    /// <summary>The ears of a skeleton; null when it has none that move.</summary>
-    public static Ears? Of(Skeleton skeleton)
+    /// <summary>The ears of a skeleton but for those of heads other than one; null when it has none that move.</summary>
+    public static Ears? Of(Skeleton skeleton, int head)
     {
-        int[] roots = JointRelations.RootsOf(skeleton, JointRole.Ear);
+        int[] roots = Array.FindAll(JointRelations.RootsOf(skeleton, JointRole.Ear), root => !Heads.IsOfAnother(skeleton, root, head));
         return roots.Length == 0 ? null : new Ears(skeleton, roots);
     }
 

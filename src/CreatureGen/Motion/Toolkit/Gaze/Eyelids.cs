@@ -32,13 +32,16 @@ public sealed class Eyelids
 
     /// <summary>The lids of a skeleton; null when it has none.</summary>
     /// <exception cref="ArgumentNullException">There is no skeleton.</exception>
-    public static Eyelids? Of(Skeleton skeleton)
+    public static Eyelids? Of(Skeleton skeleton) => Of(skeleton, -1);
+
+    /// <summary>The lids of a skeleton but for those of heads other than one, or all where that is −1; null when there are none.</summary>
+    internal static Eyelids? Of(Skeleton skeleton, int head)
     {
         int[] found = new int[(skeleton ?? throw new ArgumentNullException(nameof(skeleton))).Count];
         int count = 0;
         for (int i = 0; i < skeleton.Count; i++)
         {
-            if (skeleton.Joints[i].Role == JointRole.Lid)
+            if (skeleton.Joints[i].Role == JointRole.Lid && (head < 0 || !Heads.IsOfAnother(skeleton, i, head)))
             {
                 found[count++] = i;
             }

@@ -97,9 +97,11 @@ public sealed class GazeRig
     /// <summary>Head and neck of a creature.</summary>
     /// <param name="skeleton">With a joint of the role <see cref="JointRole.Head"/>.</param>
     /// <exception cref="ArgumentException">There is no head, or nothing carries it.</exception>
-    public static GazeRig Of(Skeleton skeleton)
+    public static GazeRig Of(Skeleton skeleton) => Of(skeleton, skeleton.FirstOf(JointRole.Head));
+
+    /// <summary>One of several heads, and its neck.</summary>
+    internal static GazeRig Of(Skeleton skeleton, int head)
     {
-        int head = skeleton.FirstOf(JointRole.Head);
         if (head < 0)
         {
             throw new ArgumentException("no joint is a head; expected one to look with", nameof(skeleton));

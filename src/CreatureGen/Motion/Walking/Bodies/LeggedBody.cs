@@ -337,7 +337,7 @@ internal sealed class LeggedBody
         var chain = new List<int>();
         for (int i = 0; i < skeleton.Count; i++)
         {
-            if (Array.IndexOf(roles, skeleton.Joints[i].Role) >= 0)
+            if (Array.IndexOf(roles, skeleton.Joints[i].Role) >= 0 && !Heads.IsFurther(skeleton, i))
             {
                 chain.Add(i);
             }

@@ -139,9 +139,10 @@ internal sealed class StandingPosture
         private float[] Nods(float raised)
         {
             var room = new List<float>();
-            foreach (Joint joint in skeleton.Joints)
+            for (int j = 0; j < skeleton.Count; j++)
             {
-                if (joint.Role is JointRole.Neck or JointRole.Head)
+                Joint joint = skeleton.Joints[j];
+                if (joint.Role is JointRole.Neck or JointRole.Head && !Heads.IsFurther(skeleton, j))
                 {
                     room.Add(NodFraction * joint.Limit.SwingX.Max);
                 }
