@@ -35,6 +35,11 @@ internal static class ForkRules
             problems.Add("body.shell.ring", FormattableString.Invariant($"{shell.Ring}"), FormattableString.Invariant($"at least {fork.Ring}, where the body forks"));
         }
 
+        if (blueprint.Body?.Disc is DiscBlueprint disc && (disc.Sweep != 0 || disc.Curl != 0))
+        {
+            problems.Add("fork", "a fork", "none on a body as wide as wings");
+        }
+
         for (int i = 0; i < (blueprint.Ears?.Count ?? 0); i++)
         {
             SocketBlueprint? socket = blueprint.Ears![i]?.Socket;

@@ -64,6 +64,7 @@ internal sealed class ForkCourse
         }
 
         widths[Rigid] = 1f;
+        SmoothWidths();
     }
 
     /// <summary>The ring at which the body forks.</summary>
@@ -87,6 +88,18 @@ internal sealed class ForkCourse
     }
 
     private static double LeanAt(double spread, double along) => spread * Scalar.Smooth(along / Out) * Scalar.Lerp(1, Kept, Scalar.Smooth((along - Back) / (1 - Back)));
+
+    /// <summary>Takes corners off the flanks, where necks come free of each other: on the side of the narrower.</summary>
+    private void SmoothWidths()
+    {
+        float before = widths[Rigid];
+        for (int i = Rigid + 1; i < Ring; i++)
+        {
+            float here = widths[i];
+            widths[i] = Math.Min(here, (before + (2f * here) + widths[i + 1]) / 4f);
+            before = here;
+        }
+    }
 
     private bool Between(double ring, out int i, out float t)
     {

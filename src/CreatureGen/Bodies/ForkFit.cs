@@ -12,9 +12,12 @@ internal static class ForkFit
     /// <summary>Room that a head has beside the other, in parts of what it takes.</summary>
     private const double HeadRoom = 1.1;
 
+    /// <summary>Half the room between both necks behind the heads, in half widths of a neck there: with less of it two faces are on one neck.</summary>
+    private const double NeckRoom = 0.4;
+
     // Radians: necks that lean more are arms. Necks too short to lean apart are longer than with one head, so far that they still belong to the body.
-    private static readonly double[] spreads = { 0.4, 0.45, 0.5, 0.55, 0.6, 0.65, 0.7, 0.75, 0.8, 0.85 };
-    private static readonly double[] lengths = { 1, 1.15, 1.3, 1.45, 1.6 };
+    private static readonly double[] spreads = { 0.4, 0.45, 0.5, 0.55, 0.6, 0.65, 0.7, 0.75 };
+    private static readonly double[] lengths = { 1, 1.15, 1.3, 1.45 };
 
     /// <summary>What twice the length of a neck is worth in radians of spread.</summary>
     private const double LengthCost = 0.8;
@@ -28,7 +31,7 @@ internal static class ForkFit
             return null;
         }
 
-        double half = HeadRoom * size * HalfWidth(blueprint, shape);
+        double half = Math.Max(HeadRoom * size * HalfWidth(blueprint, shape), (size + NeckRoom) * shape.Width[ForkCourse.Rigid]);
         ForkBlueprint? best = null;
         double least = double.PositiveInfinity;
         foreach (double length in lengths)

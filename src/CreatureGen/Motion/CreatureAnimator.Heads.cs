@@ -31,5 +31,10 @@ public sealed partial class CreatureAnimator
             secondHead.Gaze.IsLimp = State == BodyState.Limp;
             secondHead.Gaze.Update(looks ? lookAt : null, gaze, root, Mode?.Speed ?? 0f, looks ? settings.Idle : 0f, dt, LocalPose, ModelPose);
         }
+
+        if (awake)
+        {
+            secondHead.KeepApart(LocalPose, ModelPose);
+        }
     }
 }

@@ -30,10 +30,12 @@ internal sealed class SecondHead
     private readonly Quaternion[] looking;
     private readonly Quaternion[] shown;
     private readonly int root;
+    private readonly HeadRoom? room;
     private bool isShown;
 
-    private SecondHead(Skeleton skeleton, int[] first, int[] second, HeadGaze gaze)
+    private SecondHead(Skeleton skeleton, int[] first, int[] second, HeadGaze gaze, HeadRoom? room)
     {
+        this.room = room;
         this.skeleton = skeleton;
         this.first = first;
         this.second = second;
@@ -74,7 +76,14 @@ internal sealed class SecondHead
         }
 
         int head = second.Find(joint => skeleton.Joints[joint].Role == JointRole.Head);
-        return head <= 0 ? null : new SecondHead(skeleton, first.ToArray(), second.ToArray(), new HeadGaze(GazeRig.Of(skeleton, head), subject, subject.Habits.Child("second head")));
+        if (head <= 0)
+        {
+            return null;
+        }
+
+        var gaze = new HeadGaze(GazeRig.Of(skeleton, head), subject, subject.Habits.Child("second head"));
+        HeadRoom? room = HeadRoom.Of(skeleton, subject.Bones, (first[0], first[second.IndexOf(head)]), (second[0], head));
+        return new SecondHead(skeleton, first.ToArray(), second.ToArray(), gaze, room);
     }
 
     /// <summary>Takes down how the first head is carried, before it looks anywhere.</summary>
@@ -111,6 +120,9 @@ internal sealed class SecondHead
         isShown = true;
         Subtree.LocalToModel(skeleton, root, local, model);
     }
+
+    /// <summary>Keeps both heads out of each other, once they look and act.</summary>
+    public void KeepApart(in Pose local, in Pose model) => room?.Keep(local, model);
 
     /// <summary>Goes on from where something else has put it: it hangs limp, or gets up.</summary>
     public void Rest(in Pose local)
