@@ -91,9 +91,10 @@ internal static class BodyBlender
         ScaleLength(s, 14, 17, p.Tail);
 
         ScaleSection(s, 0, 5, p.Head);
-        ScaleSection(s, 6, 6, 1 + ((p.Head - 1) * 0.6));
+        // The nape goes half of the way with the neck; the base of the neck goes half of the way with a chest that grows, and all of it with one that gives way, or it would stand out before it as a corner.
+        ScaleSection(s, 6, 6, (1 + ((p.Head - 1) * 0.6)) * (0.5 + (0.5 * p.NeckGirth)));
         ScaleSection(s, 7, 7, (1 + ((p.Head - 1) * 0.3)) * p.NeckGirth);
-        ScaleSection(s, 8, 8, (1 + ((p.Chest - 1) * 0.5)) * (0.5 + (0.5 * p.NeckGirth)));
+        ScaleSection(s, 8, 8, Math.Min(p.Chest, 1 + ((p.Chest - 1) * 0.5)) * (0.5 + (0.5 * p.NeckGirth)));
         ScaleSection(s, 9, 10, p.Chest);
         ScaleSection(s, 12, 13, p.Rump);
         ScaleSection(s, 14, 16, p.TailGirth);

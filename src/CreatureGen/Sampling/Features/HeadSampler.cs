@@ -64,7 +64,7 @@ internal static class HeadSampler
     /// <summary>The part of the bones over the eyes that a strange swimmer lacks.</summary>
     private const double SoftenedBone = 0.6;
 
-    // Broadest front of a muzzle against its head of what swims, or goes low, and most that it is drawn in by: what comes head first is seen over its muzzle, and a broader one is all of its face.
+    // Broadest front of a muzzle against its head of what swims, or has the head of another body, and most that it is drawn in by: what comes head first is seen over its muzzle, and a broader one is all of its face.
     private const double Muzzle = 0.58;
     private const double DrawnIn = 0.3;
 
@@ -165,8 +165,7 @@ internal static class HeadSampler
             Add(6, 0, 3.2, 1.5, Bridge * board);
             Add(7, 3.2, 2.2, 1.3, -Hollow * board);
             Add(6.2, 7.6, 2, 1.3, -Hollow * board);
-            bool low = builder.Parents.Head != builder.Parents.First && builder.Plan is BodyPlan.ManyLegged or BodyPlan.Hexapod or BodyPlan.Buzzing or BodyPlan.Legless or BodyPlan.Sprawling;
-            Add(3, 8, 2.4, 16, -(low ? builder.Fitting : fitting) * Scalar.Clamp(1 - (Muzzle / MuzzleBreadth(builder.Shape)), 0, DrawnIn));
+            Add(3, 8, 2.4, 16, -Math.Max(fitting, Mixed(builder)) * Scalar.Clamp(1 - (Muzzle / MuzzleBreadth(builder.Shape)), 0, DrawnIn));
         }
 
         if (species.Snout == SnoutKind.Beak)

@@ -25,6 +25,7 @@ internal static class LegSampler
 
     // Breadth of a body against its depth from which its legs grow nearer to the belly, by how many segments for each unit of it, and by how many at most.
     private const double Broad = 1.05;
+    private const double BroadOnBirdLegs = 0.85;
     private const double LoweringRate = 2.2;
     private const double MaxLowering = 1.3;
 
@@ -277,8 +278,11 @@ internal static class LegSampler
     }
 
     /// <summary>By how many segments legs grow nearer to the belly of a broad body: from its edges they stand like those of a table.</summary>
-    private static double LoweringAt(CreatureBuilder builder, int ring) =>
-        builder.Fitting * Scalar.Clamp(LoweringRate * ((builder.Shape.Width[ring] / builder.HalfDepth(ring)) - Broad), 0, MaxLowering);
+    private static double LoweringAt(CreatureBuilder builder, int ring)
+    {
+        double broad = builder.Plan == BodyPlan.Theropod && builder.Parents.Legs.Bird != null ? BroadOnBirdLegs : Broad;
+        return builder.Fitting * Scalar.Clamp(LoweringRate * ((builder.Shape.Width[ring] / builder.HalfDepth(ring)) - broad), 0, MaxLowering);
+    }
 
     private static SocketSet SetOf(CreatureBuilder builder)
     {
@@ -297,7 +301,7 @@ internal static class LegSampler
 
         if (PlanTraits.IsAboveLegs(builder.Plan) || builder.Plan == BodyPlan.Theropod)
         {
-            set = set.Lowered(LoweringAt(builder, StationRing.Shoulder), LoweringAt(builder, StationRing.Pelvis));
+            set = set.Lowered(LoweringAt(builder, StationRing.Shoulder), LoweringAt(builder, builder.Plan == BodyPlan.Theropod ? StationRing.BipedHip : StationRing.Pelvis));
         }
 
         // The weight of a strange body is known less surely than that of an animal.

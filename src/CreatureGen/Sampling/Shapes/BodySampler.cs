@@ -39,11 +39,13 @@ internal static class BodySampler
         builder.Slices = TailFit.Point(builder, Slices(builder));
         builder.Disc = Disc(builder);
         builder.Slices = TrunkFit.Gather(builder);
+        builder.Slices = FaceFit.Round(builder);
         builder.Proportions = TrunkFit.Fit(builder);
         builder.Proportions = HeadFit.Fit(builder);
+        builder.Proportions = FaceFit.Lengthen(builder);
         builder.Proportions = TailFit.Fit(builder);
         builder.Posture = TailFit.Lower(builder);
-        builder.Posture = HeadFit.Level(builder);
+        builder.Posture = FaceFit.Level(builder);
         builder.Drawn = builder.Posture;
     }
 

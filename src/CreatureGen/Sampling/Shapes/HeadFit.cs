@@ -21,11 +21,15 @@ internal static class HeadFit
     private const double OnTwoLegs = 0.83;
 
     // Thickest neck behind the head of another body against that head, on land and in the air, and most that it gives way: behind a thicker one the head is the end of a log.
-    private const double Neck = 0.95;
-    private const double LeastNeck = 0.75;
+    private const double Neck = 0.86;
+    private const double LeastNeck = 0.66;
 
-    // The same on bodies of fish and snakes, which have no neck of their own.
-    private const double NeckOfNeckless = 0.86;
+    /// <summary>Smallest head of another body against its trunk, and most that it grows by: a smaller one is a knob without a face.</summary>
+    private const double Smallest = 0.42;
+    private const double MostGrown = 1.4;
+
+    // The same on bodies of fish, snakes and insects, which have no neck of their own.
+    private const double NeckOfNeckless = 0.78;
     private const double LeastOfNeckless = 0.6;
 
     /// <summary>The part of what is too much that the head gives way; the trunk grows by the rest.</summary>
@@ -37,12 +41,6 @@ internal static class HeadFit
     // Flatness from which on a head is a plate, and the largest breadth of one against its trunk: it may not overhang what carries it.
     private const double Plate = 2.2;
     private const double PlateBreadth = 0.75;
-
-    /// <summary>Most that the face of a swimmer falls away ahead of its brow, as those of swimming animals do; one that hangs as on a neck over land turns its forehead to the water.</summary>
-    private const double SteepestFaceDegrees = 12;
-
-    /// <summary>The same of the face of another body on that of an insect, whose own looks down.</summary>
-    private const double SteepestOnInsectDegrees = 20;
 
     // Rings of the head behind its lips, of the middle of the neck, and of the trunk between the girdles.
     private const int FirstOfHead = 3;
@@ -77,8 +75,9 @@ internal static class HeadFit
 
         // What lies is a rope, and stays one.
         double part = builder.Plan == BodyPlan.Legless ? 1 : HeadsPart;
-        double head = PortableMath.Pow(excess, -part * strange);
-        bool neckless = builder.Species.Class == AnimalClass.Fish || Array.Exists(builder.Species.WalkingPlans, plan => plan.Value == BodyPlan.Legless);
+        double grown = builder.Parents.Head == builder.Parents.First ? 1 : Scalar.Clamp(Smallest / (Size * size), 1, MostGrown);
+        double head = PortableMath.Pow(excess, -part * strange) * PortableMath.Pow(excess > 1 ? 1 : grown, strange);
+        bool neckless = builder.Species.Class is AnimalClass.Fish or AnimalClass.Arthropod || Array.Exists(builder.Species.WalkingPlans, plan => plan.Value == BodyPlan.Legless);
         bool necked = (neckless || builder.Parents.Head != builder.Parents.First) && builder.Kind != LocomotionKind.Swimming && builder.Plan is not (BodyPlan.Legless or BodyPlan.ManyLegged);
         (double neckWidth, double neckHeight) = Largest(shape, FirstOfNeck, LastOfNeck);
         (double thickest, double least) = neckless ? (NeckOfNeckless, LeastOfNeckless) : (Neck, LeastNeck);
@@ -89,21 +88,6 @@ internal static class HeadFit
             Head = drawn.Head * head,
             Girth = drawn.Girth * Math.Min(MaxGirth, PortableMath.Pow(excess, (1 - part) * strange)),
         };
-    }
-
-    /// <summary>The posture of a strange swimmer, or of an insect with the head of another body, with its face lifted until it looks ahead.</summary>
-    public static BodyPosture Level(CreatureBuilder builder)
-    {
-        BodyPosture drawn = builder.Posture;
-        bool swims = builder.Kind == LocomotionKind.Swimming;
-        if (!swims && (builder.Species.Class != AnimalClass.Arthropod || builder.Parents.Head.Class == AnimalClass.Arthropod))
-        {
-            return drawn;
-        }
-
-        BodyShape shape = StanceSampler.ShapeOf(builder);
-        double fall = PortableMath.Atan2(shape.Y[StationRing.Brow] - shape.Y[StationRing.Nose], shape.Z[StationRing.Nose] - shape.Z[StationRing.Brow]);
-        return drawn with { Head = drawn.Head + (builder.Fitting * Math.Max(0, fall - Scalar.Radians(swims ? SteepestFaceDegrees : SteepestOnInsectDegrees))) };
     }
 
     /// <summary>Half the width and half the height of the largest sections, metres.</summary>

@@ -14,7 +14,7 @@ internal static class HipFit
     private const double OnSoles = 1.7;
 
     /// <summary>The same on the legs of a bird: thin ones look longer than they are, and under a body of another they are stilts with a square gap between them.</summary>
-    private const double OnBirdLegs = 2.6;
+    private const double OnBirdLegs = 2.3;
 
     /// <summary>Factor on the height at which a trunk is carried, at most 1; animals keep theirs.</summary>
     /// <param name="builder">The creature.</param>

@@ -167,7 +167,8 @@ internal static class TailFit
     {
         bool swims = builder.Kind == LocomotionKind.Swimming && builder.Species.Disc.Sweep == 0;
         bool insect = HasAbdomen(builder);
-        if (!swims && !insect && (builder.Parents.Tail.Class != AnimalClass.Bird || builder.Tail.Style != TailStyle.Plain))
+        bool bird = builder.Parents.Tail.Class == AnimalClass.Bird && builder.Tail.Style == TailStyle.Plain;
+        if (!swims && !insect && !bird)
         {
             return drawn;
         }
@@ -176,7 +177,8 @@ internal static class TailFit
         int first = slices.Length - featherless.Length;
         for (int i = first; i < slices.Length; i++)
         {
-            double girth = Scalar.Lerp(1, (swims ? finless : insect ? abdomen : featherless)[i - first], builder.Fitting);
+            double end = (swims ? finless : insect ? abdomen : featherless)[i - first] * (swims && bird ? featherless[i - first] : 1);
+            double girth = Scalar.Lerp(1, end, builder.Fitting);
             slices[i] = slices[i] with { Width = girth * slices[i].Width, Height = girth * slices[i].Height };
         }
 

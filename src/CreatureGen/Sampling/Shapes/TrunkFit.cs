@@ -11,8 +11,9 @@ namespace CreatureGen.Sampling.Shapes;
 /// <summary>Trunks of strange creatures with a shape: on legs the even and endless bodies of snakes, newts and eels are logs, and swimmers that end as thick as they are in the middle are sacks.</summary>
 internal static class TrunkFit
 {
-    // Longest trunks in chests: on legs under the body, on legs out to its side, of swimmers, and of those that swim by winding.
+    // Longest trunks in chests: on legs under the body, upright, on legs out to its side, of swimmers, and of those that swim by winding.
     private const double LongestCarried = 3.1;
+    private const double LongestUpright = 2.9;
     private const double LongestSprawling = 3.5;
     private const double LongestSwimmer = 2.7;
     private const double LongestWinding = 4.2;
@@ -42,7 +43,7 @@ internal static class TrunkFit
 
     // Depth of the loin in chests that a belly is drawn in to, that of insects, which have a waist, and least factor that this asks for.
     private const double Tucked = 0.77;
-    private const double Waist = 0.6;
+    private const double Waist = 0.48;
     private const double LeastTuck = 0.72;
 
     /// <summary>Least factor of the same on an insect: with less of a waist it is a log on wires.</summary>
@@ -72,6 +73,16 @@ internal static class TrunkFit
     private const double DeepestSwimmer = 0.56;
     private const double DeepestWinding = 0.42;
     private const double Shallower = 0.5;
+
+    // The part of a step down from the base of a swimmer's neck to its shoulder that the shoulder rises by, and most of it: the step is a corner of the back.
+    private const double ShoulderRises = 0.7;
+    private const double MostRisen = 1.25;
+    private const int BehindShoulder = 28;
+
+    // Deepest section of a swimmer that is no fish in its breadths, and what of the excess the depth and the breadth give way by: a deeper one is a plank on its edge.
+    private const double Edgewise = 1.3;
+    private const double EdgeShallower = 0.5;
+    private const double EdgeBroader = 0.4;
 
     // A swimmer's largest hips against its belly, least and most of its tail's stem against its hips and belly, and most that the tail's girth changes by for it.
     private const double Hips = 0.6;
@@ -158,7 +169,8 @@ internal static class TrunkFit
     {
         double longest = builder.Plan switch
         {
-            BodyPlan.Legless or BodyPlan.ManyLegged or BodyPlan.Hexapod or BodyPlan.Buzzing or BodyPlan.Upright => double.PositiveInfinity,
+            BodyPlan.Legless or BodyPlan.ManyLegged or BodyPlan.Hexapod or BodyPlan.Buzzing => double.PositiveInfinity,
+            BodyPlan.Upright => LongestUpright,
             BodyPlan.Sprawling => LongestSprawling,
             BodyPlan.Eel => LongestWinding,
             BodyPlan.Fish or BodyPlan.Whale or BodyPlan.Flipper => LongestSwimmer,
@@ -198,6 +210,8 @@ internal static class TrunkFit
         TrunkOutline outline = TrunkOutline.Of(shape);
         double deep = Math.Max(1, outline.Depth / (outline.Length * (builder.Plan == BodyPlan.Eel ? DeepestWinding : DeepestSwimmer)));
         double step = Math.Min(MostThroat, Math.Max(1, Throat(shape) / SteepestThroat));
+        double corner = Scalar.Clamp(shape.Top[StationRing.NeckBase] / shape.Top[BehindShoulder], 1, MostRisen);
+        double edge = builder.Species.Class == AnimalClass.Fish ? 1 : Math.Max(1, Narrowness(shape) / Edgewise);
         double belly = Size(shape, StationRing.Belly);
         double hips = Size(shape, StationRing.Pelvis);
         double thin = Math.Min(1, Hips * belly / hips);
@@ -206,13 +220,27 @@ internal static class TrunkFit
         double strange = builder.Fitting;
         return drawn with
         {
-            Depth = drawn.Depth * PortableMath.Pow(deep, -Shallower * strange),
+            Depth = drawn.Depth * PortableMath.Pow(deep, -Shallower * strange) * PortableMath.Pow(edge, -EdgeShallower * strange),
+            Width = drawn.Width * PortableMath.Pow(edge, EdgeBroader * strange),
+            Hump = drawn.Hump * PortableMath.Pow(corner, ShoulderRises * strange),
             Girth = drawn.Girth * PortableMath.Pow(deep, (Shallower - 1) * strange) * PortableMath.Pow(step, -BellyGives * strange),
             Chest = drawn.Chest * PortableMath.Pow(step, -ChestGives * strange),
             NeckGirth = drawn.NeckGirth * PortableMath.Pow(step, NeckGrows * strange),
             Rump = drawn.Rump * PortableMath.Pow(thin, strange),
             TailGirth = drawn.TailGirth * Scalar.Clamp(PortableMath.Pow(wanted / root, strange), MinRoot, MaxRoot),
         };
+    }
+
+    /// <summary>Greatest depth of a section between the girdles against its own breadth.</summary>
+    private static double Narrowness(BodyShape shape)
+    {
+        double narrowest = 0;
+        for (int ring = StationRing.Shoulder; ring <= StationRing.Pelvis; ring++)
+        {
+            narrowest = Math.Max(narrowest, 0.5 * (shape.Top[ring] + shape.Bottom[ring]) / shape.Width[ring]);
+        }
+
+        return narrowest;
     }
 
     /// <summary>Steepest fall of the line from the chin to the chest for each unit that it goes back.</summary>
