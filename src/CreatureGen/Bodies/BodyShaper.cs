@@ -48,6 +48,9 @@ internal static class BodyShaper
         Interpolate(stations.Bottom, shape.Bottom);
         ApplyLattice(body, arc, shape.Step, shape.Width, shape.Top, shape.Bottom);
         ApplyDepth(body.Proportions, shape.Width, shape.Top, shape.Bottom);
+        SmoothRump(shape.Width);
+        SmoothRump(shape.Top);
+        SmoothRump(shape.Bottom);
         Divide(body.Annuli, shape.Width, shape.Top, shape.Bottom);
         TailShaper.Shape(tail, shape.Step, shape.Width, shape.Top, shape.Bottom);
         SetExponents(shape, stations, head, tail);
@@ -160,6 +163,23 @@ internal static class BodyShaper
             top[i] *= factor;
             bottom[i] *= factor;
             width[i] *= p.Width;
+        }
+    }
+
+    /// <summary>Evens out the outline from the rump into the tail, where stations are far apart and their regions come from other bodies: a change of slope there is the corner of an abdomen or the edge of a rump.</summary>
+    private static void SmoothRump(double[] size)
+    {
+        const int First = 40;
+        const int Rounds = 3;
+        for (int round = 0; round < Rounds; round++)
+        {
+            double before = size[First - 1];
+            for (int i = First; i < BodyGrid.Rings - 1; i++)
+            {
+                double here = size[i];
+                size[i] = (before + (2 * here) + size[i + 1]) / 4;
+                before = here;
+            }
         }
     }
 

@@ -23,9 +23,10 @@ internal static class FaceFit
     private const double Shortest = 0.85;
     private const double MostLonger = 1.6;
 
-    // Flattest head of another body, in breadths for each height of its brow, the slices of the lattice that hold it, and most that these are rounded by: a flatter one is a board with nostrils.
+    // Flattest head of another body, in breadths for each height of its brow, the slices of the lattice that hold it, the power of the excess by which they are higher and narrower, for the slices behind them even it out, and most of it: a flatter one is a board with nostrils.
     private const double Flattest = 1.75;
     private const int HeadSlices = 2;
+    private const double Rounded = 0.75;
     private const double MostRounded = 1.9;
 
     /// <summary>The posture with a face that looks ahead: neither down into the water or the ground nor up.</summary>
@@ -72,7 +73,7 @@ internal static class FaceFit
 
         BodyShape shape = StanceSampler.ShapeOf(builder);
         double flat = 2 * shape.Width[StationRing.Brow] / (shape.Top[StationRing.Brow] + shape.Bottom[StationRing.Brow]);
-        double round = PortableMath.Pow(Scalar.Clamp(flat / Flattest, 1, MostRounded), 0.5 * builder.Fitting);
+        double round = PortableMath.Pow(Scalar.Clamp(flat / Flattest, 1, MostRounded), Rounded * builder.Fitting);
         LatticeSlice[] slices = builder.Slices.ToArray();
         for (int k = 0; k < HeadSlices; k++)
         {

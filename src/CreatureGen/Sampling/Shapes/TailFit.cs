@@ -193,7 +193,8 @@ internal static class TailFit
         bool stands = PlanTraits.IsAboveLegs(builder.Plan) || (builder.Plan == BodyPlan.Upright && builder.Parents.Legs.Legs is null);
         double down = s.Y[StationRing.TorsoLast] - s.Y[End];
         double back = s.Z[StationRing.TorsoLast] - s.Z[End];
-        bool balances = builder.Plan == BodyPlan.Theropod && builder.Species.Class != AnimalClass.Bird && builder.Tail.Style != TailStyle.Feathers;
+        bool fleshed = builder.Species.Class != AnimalClass.Bird || (builder.Fitting > 0 && builder.Parents.Tail.Class != AnimalClass.Bird);
+        bool balances = builder.Plan == BodyPlan.Theropod && fleshed && builder.Tail.Style != TailStyle.Feathers;
         if (builder.Plan == BodyPlan.Flapping)
         {
             return builder.Fitting > 0 && builder.Tail.Style != TailStyle.Feathers && down > SteepestFlown * back;

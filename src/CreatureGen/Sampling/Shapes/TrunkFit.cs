@@ -84,6 +84,11 @@ internal static class TrunkFit
     private const double EdgeShallower = 0.5;
     private const double EdgeBroader = 0.4;
 
+    // Broadest section of a swimmer in its depths, and what of the excess the depth and the breadth give way by: a broader one is a plank. Shells are as flat as they are.
+    private const double Flattest = 1.5;
+    private const double FlatDeepened = 0.5;
+    private const double FlatNarrowed = 0.35;
+
     // A swimmer's largest hips against its belly, least and most of its tail's stem against its hips and belly, and most that the tail's girth changes by for it.
     private const double Hips = 0.6;
     private const double Root = 0.5;
@@ -179,19 +184,15 @@ internal static class TrunkFit
         return builder.Species.Disc.Sweep != 0 ? 1 : Math.Max(1, outline.Slenderness / longest);
     }
 
-    /// <summary>The proportions of a trunk on legs whose belly is drawn in behind a deeper chest where it is even, and that is not much broader than deep; one carried level or upright by two legs stays as it is.</summary>
+    /// <summary>The proportions of a trunk on legs whose belly is drawn in behind a deeper chest where it is even, and that is not much broader than deep; one carried level or upright by two legs keeps its belly.</summary>
     private static BodyProportions Tuck(CreatureBuilder builder, TrunkOutline outline, BodyProportions drawn)
     {
-        if (builder.Plan is BodyPlan.Upright or BodyPlan.Theropod)
-        {
-            return drawn;
-        }
-
         double strange = builder.Fitting;
-        bool under = builder.Kind == LocomotionKind.Walking && PlanTraits.IsAboveLegs(builder.Plan);
+        bool under = builder.Kind == LocomotionKind.Walking && (PlanTraits.IsAboveLegs(builder.Plan) || builder.Plan == BodyPlan.Theropod);
         bool insect = builder.Species.Class == AnimalClass.Arthropod;
         double excess = under ? Math.Max(1, outline.Breadth / Broad) : 1;
-        double tuck = PortableMath.Pow(Scalar.Clamp((insect ? Waist : Tucked) / outline.Tuck, insect ? LeastWaist : LeastTuck, 1), strange);
+        bool even = builder.Plan is not (BodyPlan.Upright or BodyPlan.Theropod);
+        double tuck = !even ? 1 : PortableMath.Pow(Scalar.Clamp((insect ? Waist : Tucked) / outline.Tuck, insect ? LeastWaist : LeastTuck, 1), strange);
         return drawn with
         {
             Chest = drawn.Chest * PortableMath.Pow(tuck, -Chest),
@@ -212,6 +213,7 @@ internal static class TrunkFit
         double step = Math.Min(MostThroat, Math.Max(1, Throat(shape) / SteepestThroat));
         double corner = Scalar.Clamp(shape.Top[StationRing.NeckBase] / shape.Top[BehindShoulder], 1, MostRisen);
         double edge = builder.Species.Class == AnimalClass.Fish ? 1 : Math.Max(1, Narrowness(shape) / Edgewise);
+        double flat = builder.Species.Disc.Sweep != 0 || builder.Shell.Style != ShellStyle.None ? 1 : Math.Max(1, outline.Breadth / Flattest);
         double belly = Size(shape, StationRing.Belly);
         double hips = Size(shape, StationRing.Pelvis);
         double thin = Math.Min(1, Hips * belly / hips);
@@ -220,8 +222,8 @@ internal static class TrunkFit
         double strange = builder.Fitting;
         return drawn with
         {
-            Depth = drawn.Depth * PortableMath.Pow(deep, -Shallower * strange) * PortableMath.Pow(edge, -EdgeShallower * strange),
-            Width = drawn.Width * PortableMath.Pow(edge, EdgeBroader * strange),
+            Depth = drawn.Depth * PortableMath.Pow(deep, -Shallower * strange) * PortableMath.Pow(edge, -EdgeShallower * strange) * PortableMath.Pow(flat, FlatDeepened * strange),
+            Width = drawn.Width * PortableMath.Pow(edge, EdgeBroader * strange) * PortableMath.Pow(flat, -FlatNarrowed * strange),
             Hump = drawn.Hump * PortableMath.Pow(corner, ShoulderRises * strange),
             Girth = drawn.Girth * PortableMath.Pow(deep, (Shallower - 1) * strange) * PortableMath.Pow(step, -BellyGives * strange),
             Chest = drawn.Chest * PortableMath.Pow(step, -ChestGives * strange),
