@@ -15,6 +15,9 @@ internal static class BodyBlender
     /// <summary>How far a station belongs to the head: the neck goes over to the torso.</summary>
     private static readonly double[] headness = { 1, 1, 1, 1, 1, 1, 0.75, 0.5, 0.2, 0, 0, 0, 0, 0, 0, 0, 0, 0 };
 
+    /// <summary>Thinnest loin of a body that takes from insects without being one, against its pelvis: thinner it is a waist before an abdomen, which legs under the rump do not bear.</summary>
+    private const double Loin = 0.92;
+
     /// <summary>How far a station belongs to the tail: the rump goes over to the torso.</summary>
     private static readonly double[] tailness = { 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.25, 0.6, 1, 1, 1 };
 
@@ -57,6 +60,11 @@ internal static class BodyBlender
             s.Bottom[i] = PortableMath.Exp(bottom);
         }
 
+        if (TakesFromInsects(parts))
+        {
+            FillWaist(s);
+        }
+
         ApplyProportions(s, body.Proportions);
         return s;
     }
@@ -81,6 +89,26 @@ internal static class BodyBlender
     /// <summary>The weight of a body at a station.</summary>
     private static double WeightAt(int station, MixedBody part) =>
         Scalar.Lerp(Scalar.Lerp(part.Torso, part.Head, headness[station]), part.Tail, tailness[station]);
+
+    private static bool TakesFromInsects(ValueList<MixedBody> parts)
+    {
+        bool insects = false;
+        for (int k = 1; k < parts.Count; k++)
+        {
+            insects |= parts[k].Torso > 0 && SpeciesCatalogue.Find(parts[k].Name).Class == AnimalClass.Arthropod;
+        }
+
+        return insects && SpeciesCatalogue.Find(parts[0].Name).Class != AnimalClass.Arthropod;
+    }
+
+    private static void FillWaist(BodyStations s)
+    {
+        const int At = 12;
+        const int Pelvis = 13;
+        s.Width[At] = Math.Max(s.Width[At], Loin * s.Width[Pelvis]);
+        s.Top[At] = Math.Max(s.Top[At], Loin * s.Top[Pelvis]);
+        s.Bottom[At] = Math.Max(s.Bottom[At], Loin * s.Bottom[Pelvis]);
+    }
 
     private static void ApplyProportions(BodyStations s, BodyProportions p)
     {

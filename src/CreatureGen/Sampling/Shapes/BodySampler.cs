@@ -251,10 +251,11 @@ internal static class BodySampler
                 break;
         }
 
-        if (builder.Species.Bird is BirdPreset bird && builder.Plan == BodyPlan.Flapping)
+        if (builder.Species.Bird is not null && builder.Plan == BodyPlan.Flapping)
         {
-            torso += bird.FlightPitch.Torso;
-            tail += bird.FlightPitch.Tail;
+            (double Torso, double Tail) laid = FlightPitch(builder);
+            torso += laid.Torso;
+            tail += laid.Tail;
         }
 
         if (builder.Signature == Signature.LongNeck)
@@ -281,6 +282,24 @@ internal static class BodySampler
         }
 
         return new BodyPosture(Scalar.Radians(head), Scalar.Radians(neck), Scalar.Radians(torso), Scalar.Radians(tail), Scalar.Radians(trunk), Scalar.Radians(neckBend), Scalar.Radians(tailBend));
+    }
+
+    /// <summary>Degrees by which the upright trunk of a bird is laid down to fly, and its tail: by the shares of the birds in it, for what others give to it is level already, and would hang head first.</summary>
+    private static (double Torso, double Tail) FlightPitch(CreatureBuilder builder)
+    {
+        IReadOnlyList<double> shares = builder.Blend.TorsoFractions;
+        (double torso, double tail) = (0, 0);
+        for (int k = 0; k < shares.Count; k++)
+        {
+            if (SpeciesCatalogue.Find(builder.Blend.Bodies[k].Name).Bird is BirdPreset bird)
+            {
+                torso += shares[k] * bird.FlightPitch.Torso;
+                tail += shares[k] * bird.FlightPitch.Tail;
+            }
+        }
+
+        (double ownTorso, double ownTail) = builder.Species.Bird!.FlightPitch;
+        return (Scalar.Lerp(ownTorso, torso, builder.Fitting), Scalar.Lerp(ownTail, tail, builder.Fitting));
     }
 
     /// <summary>S1.3: swimmers get smaller ranges in x and z and a larger one in y.</summary>

@@ -20,6 +20,9 @@ internal static class HeadFit
     private const double Lying = 0.9;
     private const double OnTwoLegs = 0.83;
 
+    /// <summary>The same of the head of another body on all other legs: as large as the trunk it is the end of a log.</summary>
+    private const double OfAnother = 0.88;
+
     // Thickest neck behind the head of another body against that head, on land and in the air, and most that it gives way: behind a thicker one the head is the end of a log.
     private const double Neck = 0.86;
     private const double LeastNeck = 0.66;
@@ -68,7 +71,7 @@ internal static class HeadFit
         {
             BodyPlan.Legless => Lying,
             BodyPlan.Theropod or BodyPlan.Flapping => OnTwoLegs,
-            _ => 1,
+            _ => builder.Parents.Head == builder.Parents.First ? 1 : OfAnother,
         };
         double excess = Math.Max(1, Math.Max(size, Math.Max(breadth, headHeight / (height * Height))) / largest);
         double strange = builder.Fitting;
