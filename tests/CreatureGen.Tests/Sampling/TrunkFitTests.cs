@@ -39,6 +39,52 @@ public sealed class TrunkFitTests
     /// <summary>Depth of the waist of insects in chests (up to 1.15 without).</summary>
     private const double Waist = 0.83;
 
+    /// <summary>Thinnest loin of a body that takes from insects without being one, in pelvises: what lattice and hips leave of the rule's .92 (.56 without).</summary>
+    private const double Loin = 0.8;
+
+    [Theory]
+    [InlineData(RequestedKind.Walking)]
+    [InlineData(RequestedKind.Flying)]
+    [InlineData(RequestedKind.Swimming)]
+    public void Who_takes_from_insects_without_being_one_has_no_waist_before_an_abdomen(RequestedKind kind)
+    {
+        int takers = 0;
+        for (ulong seed = 11200001; seed <= 11200120; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = kind, Strangeness = 1 });
+            if (SpeciesCatalogue.Find(creature.Body.Blend.First).Class == AnimalClass.Arthropod
+                || !creature.Body.Blend.Bodies.Any(part => part.Torso > 0.2 && SpeciesCatalogue.Find(part.Name).Class == AnimalClass.Arthropod))
+            {
+                continue;
+            }
+
+            BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
+            double loin = Size(shape, StationRing.Loin) / Size(shape, StationRing.Pelvis);
+            Assert.True(loin >= Loin, FormattableString.Invariant($"{kind} {seed}: a loin of {loin:0.00} pelvises"));
+            takers++;
+        }
+
+        Assert.InRange(takers, 10, 100);
+    }
+
+    [Fact]
+    public void A_mixed_bird_that_flies_does_not_hang_head_first()
+    {
+        int birds = 0;
+        for (ulong seed = 11200001; seed <= 11200150; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = RequestedKind.Flying, Strangeness = 1 });
+            if (creature.Plan == BodyPlan.Flapping && SpeciesCatalogue.Find(creature.Body.Blend.First).Bird is not null)
+            {
+                BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
+                Assert.True(shape.Y[StationRing.NeckBase] >= shape.Y[StationRing.Pelvis], $"{seed}: the neck is below the pelvis");
+                birds++;
+            }
+        }
+
+        Assert.NotEqual(0, birds);
+    }
+
     [Fact]
     public void Mixed_swimmers_are_no_sacks_behind_a_spout()
     {

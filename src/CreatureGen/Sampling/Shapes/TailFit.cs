@@ -40,8 +40,9 @@ internal static class TailFit
     private const double AbdomenDegrees = 19;
     private const double StraightenedDegrees = 13;
 
-    // Least fall of a fan of feathers behind the rump, and rise from which on a fan is carried up as a cock's is.
+    // Least fall of a fan of feathers behind the rump, that of a strange creature that flies, and rise from which on a fan is carried up as a cock's is.
     private const double FallDegrees = 18;
+    private const double FlownFallDegrees = 14;
     private const double RaisedDegrees = 30;
 
     // How far a tail may come down for each unit that it goes back, and one that balances a body on two legs.
@@ -121,6 +122,11 @@ internal static class TailFit
 
         bool fan = builder.Tail.Style == TailStyle.Feathers;
         bool balances = builder.Plan == BodyPlan.Theropod && builder.Tail.Style is TailStyle.Plain or TailStyle.Saurian;
+        if (builder.Kind == LocomotionKind.Flying && fan)
+        {
+            return drawn with { Tail = drawn.Tail + (builder.Fitting * Math.Max(0, Scalar.Radians(FlownFallDegrees) - Fall(builder))) };
+        }
+
         if (builder.Kind != LocomotionKind.Walking || !(fan || balances || IsBare(builder)))
         {
             return drawn;

@@ -1,0 +1,102 @@
+using System;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
+using CreatureGen.Sampling;
+using CreatureGen.Species;
+using Xunit;
+
+namespace CreatureGen.Tests.Sampling;
+
+public sealed class FaceFitTests
+{
+    private const ulong First = 11200001;
+    private const int Count = 120;
+
+    /// <summary>Most that a face is held up, degrees: what the bend of the nape leaves of the rule's 3.</summary>
+    private const double HighestFace = 12;
+
+    /// <summary>Shortest face of another body on a swimmer in heights of its brow: what the greatest factor on a snout leaves of the rule's .85.</summary>
+    private const double ShortestFace = 0.5;
+
+    /// <summary>Flattest head of another body in breadths for each height of its brow: what the slices behind it leave of the rule's 1.75.</summary>
+    private const double FlattestHead = 2.1;
+
+    /// <summary>Smallest head of another body in trunks: what the greatest factor on a head leaves of the rule's .42.</summary>
+    private const double SmallestHead = 0.36;
+
+    [Theory]
+    [InlineData(RequestedKind.Walking)]
+    [InlineData(RequestedKind.Flying)]
+    [InlineData(RequestedKind.Swimming)]
+    public void No_face_of_a_mixed_creature_but_an_upright_one_is_held_up(RequestedKind kind)
+    {
+        foreach ((CreatureBlueprint creature, BodyShape shape) in Drawn(kind, 0.6))
+        {
+            if (creature.Plan != BodyPlan.Upright && SpeciesCatalogue.Find(creature.Body.Blend.Face).Class != AnimalClass.Arthropod)
+            {
+                double rise = 180 / Math.PI * Math.Atan2(shape.Y[StationRing.Nose] - shape.Y[StationRing.Brow], shape.Z[StationRing.Nose] - shape.Z[StationRing.Brow]);
+                Assert.True(rise <= HighestFace, FormattableString.Invariant($"{kind} {creature.Seed}: a face held up by {rise:0} degrees"));
+            }
+        }
+    }
+
+    [Fact]
+    public void The_face_of_another_body_on_a_swimmer_is_not_its_blunt_end()
+    {
+        foreach ((CreatureBlueprint creature, BodyShape shape) in Drawn(RequestedKind.Swimming, 1))
+        {
+            if (IsOfAnother(creature))
+            {
+                double length = (shape.Arc[StationRing.Brow] - shape.Arc[StationRing.Nose]) / HeightOf(shape, StationRing.Brow);
+                Assert.True(length >= ShortestFace, FormattableString.Invariant($"{creature.Seed}: a face of {length:0.00} heights"));
+            }
+        }
+    }
+
+    [Theory]
+    [InlineData(RequestedKind.Walking)]
+    [InlineData(RequestedKind.Swimming)]
+    public void The_head_of_another_body_is_neither_a_board_nor_a_knob(RequestedKind kind)
+    {
+        foreach ((CreatureBlueprint creature, BodyShape shape) in Drawn(kind, 1))
+        {
+            if (IsOfAnother(creature))
+            {
+                double breadth = 2 * shape.Width[StationRing.Brow] / HeightOf(shape, StationRing.Brow);
+                double size = Largest(shape, 3, 14) / Largest(shape, 23, 42);
+                Assert.True(breadth <= FlattestHead, FormattableString.Invariant($"{kind} {creature.Seed}: a head of {breadth:0.00} heights' breadth"));
+                Assert.True(size >= SmallestHead, FormattableString.Invariant($"{kind} {creature.Seed}: a head of {size:0.00} trunks"));
+            }
+        }
+    }
+
+    private static System.Collections.Generic.IEnumerable<(CreatureBlueprint Creature, BodyShape Shape)> Drawn(RequestedKind kind, double strangeness)
+    {
+        for (ulong seed = First; seed < First + Count; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = kind, Strangeness = strangeness });
+            yield return (creature, BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail));
+        }
+    }
+
+    private static bool IsOfAnother(CreatureBlueprint creature)
+    {
+        SpeciesProfile face = SpeciesCatalogue.Find(creature.Body.Blend.Face);
+        return creature.Body.Blend.Face != creature.Body.Blend.First && face.Snout != SnoutKind.Beak && face.Class != AnimalClass.Arthropod
+            && SpeciesCatalogue.Find(creature.Body.Blend.First).Disc.Sweep == 0;
+    }
+
+    private static double HeightOf(BodyShape shape, int ring) => shape.Top[ring] + shape.Bottom[ring];
+
+    private static double Largest(BodyShape shape, int first, int last)
+    {
+        double largest = 0;
+        for (int ring = first; ring <= last; ring++)
+        {
+            largest = Math.Max(largest, Math.Sqrt(shape.Width[ring] * 0.5 * HeightOf(shape, ring)));
+        }
+
+        return largest;
+    }
+}
