@@ -63,7 +63,7 @@ internal static class CreatureFields
             visit.List("frills", creature.Frills, new WholeRange(0, 2), NeckFields.Frill),
             visit.Record("coat", creature.Coat, CoatFields.Coat),
             visit.Since(4).Optional("lineage", creature.Lineage, LineageFields.Lineage),
-            visit.Since(4).Optional("fork", creature.Fork, NeckFields.Fork)));
+            visit.Since(5).Optional("fork", creature.Fork, NeckFields.Fork)));
 
     /// <summary>The number of the format belongs to the text and not to the creature; that of the algorithm to both.</summary>
     private static int VisitHeading(IFieldVisitor visit, CreatureBlueprint creature)

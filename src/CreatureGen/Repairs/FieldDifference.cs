@@ -12,6 +12,9 @@ namespace CreatureGen.Repairs;
 /// <param name="To">The value in the second.</param>
 internal sealed record FieldDifference(string Path, string From, string To)
 {
+    private const string There = "there";
+    private const string LeftOut = "left out";
+
     /// <summary>All fields in which two blueprints differ, in the order of their text. Lists of different lengths are one difference.</summary>
     public static IReadOnlyList<FieldDifference> Between(CreatureBlueprint first, CreatureBlueprint second)
     {
@@ -19,6 +22,8 @@ internal sealed record FieldDifference(string Path, string From, string To)
         Compare("", ValueOf(first), ValueOf(second), found);
         return found;
     }
+
+    private static string Under(string path, string name) => path.Length > 0 ? path + "." + name : name;
 
     private static JsonValue ValueOf(CreatureBlueprint blueprint) => JsonReader.Read(blueprint.ToString(), JsonLimits.Document).Root!;
 
@@ -28,7 +33,23 @@ internal sealed record FieldDifference(string Path, string From, string To)
         {
             foreach (JsonMember member in first.Members)
             {
-                Compare(path.Length > 0 ? path + "." + member.Name : member.Name, member.Value, second[member.Name], found);
+                string own = Under(path, member.Name);
+                if (second.TryGet(member.Name, out JsonValue? other))
+                {
+                    Compare(own, member.Value, other!, found);
+                }
+                else
+                {
+                    found.Add(new FieldDifference(own, There, LeftOut));
+                }
+            }
+
+            foreach (JsonMember member in second.Members)
+            {
+                if (!first.TryGet(member.Name, out _))
+                {
+                    found.Add(new FieldDifference(Under(path, member.Name), LeftOut, There));
+                }
             }
         }
         else if (first.Kind == JsonKind.Array && first.Items.Count == second.Items.Count)

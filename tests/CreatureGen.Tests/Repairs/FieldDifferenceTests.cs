@@ -17,4 +17,13 @@ public sealed class FieldDifferenceTests
         Assert.Equal(["body.posture.head 0.125", $"legs[1].toes {small.Legs[1].Toes + 1}"], found);
         Assert.Empty(FieldDifference.Between(small, small));
     }
+
+    [Fact]
+    public void A_field_that_one_of_both_leaves_out_is_a_difference()
+    {
+        CreatureBlueprint small = Samples.Small;
+        CreatureBlueprint forked = small with { Fork = NeckFields.Fork.Neutral };
+        Assert.Equal(new FieldDifference("fork", "left out", "there"), Assert.Single(FieldDifference.Between(small, forked)));
+        Assert.Equal(new FieldDifference("fork", "there", "left out"), Assert.Single(FieldDifference.Between(forked, small)));
+    }
 }
