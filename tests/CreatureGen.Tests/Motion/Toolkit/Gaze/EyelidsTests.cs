@@ -36,9 +36,13 @@ public sealed class EyelidsTests
                 if (blinks)
                 {
                     lidded++;
-                    Assert.Equal(names.Order(StringComparer.Ordinal), lids.Order(StringComparer.Ordinal));
-                    Assert.All(lids, lid => Assert.Equal("Head", creature.Skeleton.Joints[creature.Skeleton.Joints[creature.Skeleton.IndexOf(lid)].Parent].Name));
-                    Assert.All(lids, lid => Assert.Equal(creature.Skeleton.IndexOf(lid), creature.Skeleton.Joints[creature.Skeleton.IndexOf(lid + "_End")].Parent));
+                    string[] heads = creature.Blueprint.Fork == null ? [""] : ["", Heads.Suffix];
+                    Assert.Equal(heads.SelectMany(head => names.Select(name => name + head)).Order(StringComparer.Ordinal), lids.Order(StringComparer.Ordinal));
+                    foreach (string head in heads)
+                    {
+                        Assert.All(names, name => Assert.Equal("Head" + head, creature.Skeleton.Joints[creature.Skeleton.Joints[creature.Skeleton.IndexOf(name + head)].Parent].Name));
+                        Assert.All(names, name => Assert.Equal(creature.Skeleton.IndexOf(name + head), creature.Skeleton.Joints[creature.Skeleton.IndexOf(name + "_End" + head)].Parent));
+                    }
                 }
             }
         }
