@@ -15,6 +15,9 @@ internal static class ForkFit
     /// <summary>Half the room between both necks behind the heads, in half widths of a neck there: with less of it two faces are on one neck.</summary>
     private const double NeckRoom = 0.4;
 
+    /// <summary>Least length of a swimmer's neck in half widths of it: on land a head is lifted off the trunk, in the water two heads of a body without a neck are one mass.</summary>
+    private const double SwimmersNeck = 2;
+
     // Radians: necks that lean more are arms. Necks too short to lean apart are longer than with one head, so far that they still belong to the body.
     private static readonly double[] spreads = { 0.4, 0.45, 0.5, 0.55, 0.6, 0.65, 0.7, 0.75 };
     private static readonly double[] lengths = { 1, 1.15, 1.3, 1.45 };
@@ -34,8 +37,14 @@ internal static class ForkFit
         double half = Math.Max(HeadRoom * size * HalfWidth(blueprint, shape), (size + NeckRoom) * shape.Width[ForkCourse.Rigid]);
         ForkBlueprint? best = null;
         double least = double.PositiveInfinity;
+        double neck = (shape.Arc[ring] - shape.Arc[ForkCourse.Rigid]) / shape.Width[ForkCourse.Rigid];
         foreach (double length in lengths)
         {
+            if (blueprint.Kind == LocomotionKind.Swimming && length * neck < SwimmersNeck)
+            {
+                continue;
+            }
+
             foreach (double spread in spreads)
             {
                 double cost = spread + (LengthCost * (length - 1));
