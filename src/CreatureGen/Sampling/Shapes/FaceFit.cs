@@ -42,11 +42,26 @@ internal static class FaceFit
         double steepest = builder.Kind == LocomotionKind.Swimming ? SteepestFace
             : own ? double.PositiveInfinity
             : builder.Species.Class == AnimalClass.Arthropod ? SteepestOnInsect : SteepestOfAnother;
-        BodyShape shape = StanceSampler.ShapeOf(builder);
-        double fall = PortableMath.Atan2(shape.Y[StationRing.Brow] - shape.Y[StationRing.Nose], shape.Z[StationRing.Nose] - shape.Z[StationRing.Brow]);
-        double raised = own && steepest == double.PositiveInfinity ? 0 : Math.Max(0, fall - Scalar.Radians(steepest));
+        double fall = Fall(builder);
+        double raised = Math.Max(0, fall - Scalar.Radians(steepest));
         double lowered = Math.Max(0, -fall - Scalar.Radians(HighestFace));
-        return drawn with { Head = drawn.Head + (builder.Fitting * (raised - lowered)) };
+        BodyPosture level = drawn with { Head = drawn.Head + (builder.Fitting * (raised - lowered)) };
+        if (lowered == 0)
+        {
+            return level;
+        }
+
+        // On a steep neck the nape does not bend as far as that: the neck is laid down by the rest.
+        builder.Posture = level;
+        double left = Math.Max(0, -Fall(builder) - Scalar.Radians(HighestFace));
+        return level with { Neck = level.Neck - (builder.Fitting * left) };
+    }
+
+    /// <summary>How far the face falls away ahead of its brow, radians.</summary>
+    private static double Fall(CreatureBuilder builder)
+    {
+        BodyShape shape = StanceSampler.ShapeOf(builder);
+        return PortableMath.Atan2(shape.Y[StationRing.Brow] - shape.Y[StationRing.Nose], shape.Z[StationRing.Nose] - shape.Z[StationRing.Brow]);
     }
 
     /// <summary>The proportions of a swimmer with a longer snout where the face of another body is blunt.</summary>
