@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
@@ -13,32 +14,36 @@ public sealed class FaceFitTests
     private const ulong First = 11200001;
     private const int Count = 120;
 
-    /// <summary>Most that a face is held up, degrees: what the bend of the nape leaves of the rule's 3.</summary>
-    private const double HighestFace = 12;
+    /// <summary>Most that nineteen of twenty faces are held up, degrees: what the bend of the nape leaves of the rule's 3 (10 without).</summary>
+    private const double HighestFace = 5;
 
-    /// <summary>Shortest face of another body on a swimmer in heights of its brow: what the greatest factor on a snout leaves of the rule's .85.</summary>
-    private const double ShortestFace = 0.5;
+    /// <summary>Shortest face of another body on a swimmer in heights of its brow: what the greatest factor on a snout leaves of the rule's .85 (.36 without).</summary>
+    private const double ShortestFace = 0.45;
 
-    /// <summary>Flattest head of another body in breadths for each height of its brow: what the slices behind it leave of the rule's 1.75.</summary>
+    /// <summary>Flattest head of another body in breadths for each height of its brow: what the slices behind it leave of the rule's 1.75 (3.3 without).</summary>
     private const double FlattestHead = 2.1;
 
-    /// <summary>Smallest head of another body in trunks: what the greatest factor on a head leaves of the rule's .42.</summary>
+    /// <summary>Smallest head of another body in trunks: what the greatest factor on a head leaves of the rule's .42 (.33 without).</summary>
     private const double SmallestHead = 0.36;
 
     [Theory]
     [InlineData(RequestedKind.Walking)]
     [InlineData(RequestedKind.Flying)]
-    [InlineData(RequestedKind.Swimming)]
-    public void No_face_of_a_mixed_creature_but_an_upright_one_is_held_up(RequestedKind kind)
+    public void Faces_of_mixed_creatures_are_not_held_up(RequestedKind kind)
     {
+        int faces = 0;
+        int up = 0;
         foreach ((CreatureBlueprint creature, BodyShape shape) in Drawn(kind, 0.6))
         {
-            if (creature.Plan != BodyPlan.Upright && SpeciesCatalogue.Find(creature.Body.Blend.Face).Class != AnimalClass.Arthropod)
+            if (SpeciesCatalogue.Find(creature.Body.Blend.Face).Class != AnimalClass.Arthropod)
             {
                 double rise = 180 / Math.PI * Math.Atan2(shape.Y[StationRing.Nose] - shape.Y[StationRing.Brow], shape.Z[StationRing.Nose] - shape.Z[StationRing.Brow]);
-                Assert.True(rise <= HighestFace, FormattableString.Invariant($"{kind} {creature.Seed}: a face held up by {rise:0} degrees"));
+                up += rise > HighestFace ? 1 : 0;
+                faces++;
             }
         }
+
+        Assert.True(20 * up <= faces, FormattableString.Invariant($"{kind}: {up} of {faces} faces are held up"));
     }
 
     [Fact]
@@ -71,7 +76,7 @@ public sealed class FaceFitTests
         }
     }
 
-    private static System.Collections.Generic.IEnumerable<(CreatureBlueprint Creature, BodyShape Shape)> Drawn(RequestedKind kind, double strangeness)
+    private static IEnumerable<(CreatureBlueprint Creature, BodyShape Shape)> Drawn(RequestedKind kind, double strangeness)
     {
         for (ulong seed = First; seed < First + Count; seed++)
         {

@@ -42,6 +42,33 @@ public sealed class TrunkFitTests
     /// <summary>Thinnest loin of a body that takes from insects without being one, in pelvises: what lattice and hips leave of the rule's .92 (.56 without).</summary>
     private const double Loin = 0.8;
 
+    // Highest base of a swimmer's neck over its spine against its shoulder, and broadest and deepest sections of a mixed swimmer: what the parts that give way leave of what is asked for (1.8, 2.8 and 2.5 without).
+    private const double Shoulder = 1.5;
+    private const double Broadest = 2;
+    private const double Deepest = 1.7;
+
+    [Fact]
+    public void No_mixed_swimmer_is_a_plank_or_has_a_corner_for_a_shoulder()
+    {
+        for (ulong seed = 11200001; seed <= 11200120; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = RequestedKind.Swimming, Strangeness = 1 });
+            SpeciesProfile first = SpeciesCatalogue.Find(creature.Body.Blend.First);
+            if (first.Disc.Sweep != 0)
+            {
+                continue;
+            }
+
+            BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
+            double corner = shape.Top[StationRing.NeckBase] / shape.Top[StationRing.Ribs - 2];
+            double flat = Enumerable.Range(StationRing.Shoulder, StationRing.Pelvis - StationRing.Shoulder).Max(ring => 2 * shape.Width[ring] / (shape.Top[ring] + shape.Bottom[ring]));
+            double deep = Enumerable.Range(StationRing.Shoulder, StationRing.Pelvis - StationRing.Shoulder).Max(ring => (shape.Top[ring] + shape.Bottom[ring]) / shape.Width[ring] / 2);
+            Assert.True(corner <= Shoulder, FormattableString.Invariant($"{seed}: the base of the neck is {corner:0.00} shoulders high"));
+            Assert.True(flat <= Broadest, FormattableString.Invariant($"{seed}: {flat:0.00} times as broad as deep"));
+            Assert.True(first.Class == AnimalClass.Fish || deep <= Deepest, FormattableString.Invariant($"{seed}: {deep:0.00} times as deep as broad"));
+        }
+    }
+
     [Theory]
     [InlineData(RequestedKind.Walking)]
     [InlineData(RequestedKind.Flying)]
