@@ -19,6 +19,9 @@ internal static class FaceFit
     /// <summary>Most that a face is held up, degrees: one that is raised on a neck shows its throat and no eyes.</summary>
     private const double HighestFace = 3;
 
+    /// <summary>The part of what a face still falls too much that the neck is raised by.</summary>
+    private const double NeckRises = 0.25;
+
     // Shortest face of another body on a swimmer, from the nose to the brow in heights of the brow, and most that its snout is longer for it: a shorter one is the sawn end of a log.
     private const double Shortest = 0.85;
     private const double MostLonger = 1.6;
@@ -46,15 +49,17 @@ internal static class FaceFit
         double raised = Math.Max(0, fall - Scalar.Radians(steepest));
         double lowered = Math.Max(0, -fall - Scalar.Radians(HighestFace));
         BodyPosture level = drawn with { Head = drawn.Head + (builder.Fitting * (raised - lowered)) };
-        if (lowered == 0)
+        if (lowered + raised == 0)
         {
             return level;
         }
 
-        // On a steep neck the nape does not bend as far as that: the neck is laid down by the rest.
+        // On a steep neck the nape does not bend as far as that: the neck is laid down by the rest, or raised by a part of it.
         builder.Posture = level;
-        double left = Math.Max(0, -Fall(builder) - Scalar.Radians(HighestFace));
-        return level with { Neck = level.Neck - (builder.Fitting * left) };
+        double left = Fall(builder);
+        double up = NeckRises * Math.Max(0, left - Scalar.Radians(steepest));
+        double down = Math.Max(0, -left - Scalar.Radians(HighestFace));
+        return level with { Neck = level.Neck + (builder.Fitting * (up - down)) };
     }
 
     /// <summary>How far the face falls away ahead of its brow, radians.</summary>

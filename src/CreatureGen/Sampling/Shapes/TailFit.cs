@@ -185,7 +185,7 @@ internal static class TailFit
         {
             double end = (swims ? finless : insect ? abdomen : featherless)[i - first] * (swims && bird ? featherless[i - first] : 1);
             double girth = Scalar.Lerp(1, end, builder.Fitting);
-            slices[i] = slices[i] with { Width = girth * slices[i].Width, Height = girth * slices[i].Height };
+            slices[i] = slices[i] with { Width = Math.Max(CommonRanges.Factor.Minimum, girth * slices[i].Width), Height = Math.Max(CommonRanges.Factor.Minimum, girth * slices[i].Height) };
         }
 
         return new ValueList<LatticeSlice>(slices);
