@@ -1,4 +1,5 @@
 using System;
+using System.Buffers;
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Skinning;
@@ -18,6 +19,42 @@ public sealed class CreatureLod
         this.triangles = triangles;
         this.remap = remap;
         Parts = parts;
+    }
+
+    /// <summary>The triangles of a mesh that are left when each vertex gives way to another.</summary>
+    /// <param name="mesh">The mesh.</param>
+    /// <param name="remap">What <see cref="Remap"/> says.</param>
+    /// <param name="places">The place of each vertex, by number: triangles with two corners in one place have vanished.</param>
+    internal static CreatureLod Of(CreatureMesh mesh, int[] remap, int[] places)
+    {
+        int[] triangles = ArrayPool<int>.Shared.Rent(mesh.Triangles.Length);
+        var parts = new List<MeshPart>();
+        int count = 0;
+        foreach (MeshPart part in mesh.Parts)
+        {
+            int start = count;
+            ReadOnlySpan<int> all = mesh.Triangles.Slice(part.FirstIndex, part.IndexCount);
+            for (int c = 0; c < all.Length; c += 3)
+            {
+                int a = remap[all[c]], b = remap[all[c + 1]], d = remap[all[c + 2]];
+                if (a >= 0 && places[a] != places[b] && places[b] != places[d] && places[d] != places[a])
+                {
+                    triangles[count] = a;
+                    triangles[count + 1] = b;
+                    triangles[count + 2] = d;
+                    count += 3;
+                }
+            }
+
+            if (count > start)
+            {
+                parts.Add(new MeshPart(part.Material, start, count - start));
+            }
+        }
+
+        int[] left = triangles.AsSpan(0, count).ToArray();
+        ArrayPool<int>.Shared.Return(triangles);
+        return new CreatureLod(mesh, left, parts, remap);
     }
 
     /// <summary>Indices of vertices of the creature's mesh, three per triangle, counter-clockwise seen from outside.</summary>

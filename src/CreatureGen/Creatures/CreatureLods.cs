@@ -40,7 +40,6 @@ public sealed class CreatureLods
         }
 
         using var reduction = new MeshReduction(mesh);
-        reduction.KeepFromCrossing();
         reduction.ReduceTo(budget);
         return reduction.ToLevel().ToMesh();
     }
@@ -50,7 +49,6 @@ public sealed class CreatureLods
     {
         _ = mesh ?? throw new ArgumentNullException(nameof(mesh));
         using var reduction = new MeshReduction(mesh);
-        reduction.KeepFromCrossing();
         int triangles = reduction.Triangles;
         var levels = new CreatureLod[fractions.Length];
         for (int i = 0; i < levels.Length; i++)

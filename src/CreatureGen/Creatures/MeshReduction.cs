@@ -10,156 +10,114 @@ namespace CreatureGen.Creatures;
 /// Takes triangles from a creature's mesh, those that matter least first, without moving a vertex: every vertex that goes points at one that stays.
 /// </summary>
 /// <remarks>
-/// Points go one by one, together with their mirror images; small pieces that sit on the creature go as a whole when they cost less than another point.
+/// Points go one by one; small pieces that sit on the creature go as a whole when they cost less than another point. All is done on the left side, and the right is its image (<see cref="MirroredHalf"/>).
+/// Steps are taken in rounds: all points that might go are put in the order of what that costs, and as many of the cheapest as are too many go, but those around which something changed in the same round, which wait for the next one.
+/// Afterwards the surface is searched for places where it cuts through itself; where there are some it is put back to what it was, and without the steps that led there all is done again.
 /// The order depends on nothing but the mesh, so that a coarse level is always a coarsening of a finer one.
 /// </remarks>
 internal sealed class MeshReduction : IDisposable
 {
     private readonly CreatureMesh mesh;
+    private readonly ReductionSubject subject;
     private readonly CollapsingMesh surface;
     private readonly ReductionCost cost;
-    private readonly Vector3[] positions;
-    private readonly int[] corners;
-    private readonly int[] vertices;
-    private readonly int[] pointOf;
+    private readonly StepChoice choice;
+    private readonly CrossingSearch crossings;
+    private readonly CostOrder order;
     private readonly int[] twin;
-    private readonly sbyte[] side;
-    private readonly int[] pieceOf;
-    private readonly bool[] lostPieces;
+    private readonly ReductionPieces pieces;
     private readonly int[] remap;
     private readonly int[] standsFor;
-    private readonly CostQueue queue;
-    private readonly bool[] queued;
 
-    // The neighbour that was found to cost least for a point, or −1 once something around the point has changed: spares looking for it a second time when its turn comes.
+    // What may go, points by their number and pieces by theirs after those of the points, and what that costs: infinite for those that may not now. A point whose cost has to be worked out anew is stale.
+    private readonly int[] candidates;
+    private readonly float[] costs;
     private readonly int[] cheapest;
-    private readonly StepChoice choice;
-    private readonly List<int> neighbours = new();
-    private readonly List<int> around = new();
+    private readonly bool[] stale;
+    private int candidateCount;
+
+    // Points that may not go, because the surface would cut through itself.
+    private readonly bool[] held;
+    private readonly bool[] wereUsed;
+    private readonly SavedArrays saved;
     private readonly List<(int From, int To)> pairs = new();
     private readonly List<(int From, int To)> twinPairs = new();
-
-    private readonly List<int> moved = new();
-    private readonly List<int> lost = new();
-    private readonly List<int> twinMoved = new();
-    private readonly List<int> twinLost = new();
-
-    // Of each piece whether its triangles are not mirrored, so that a step that crosses nothing may do so on the other side.
-    private readonly bool[] lopsided;
-    private CrossingGuard? guard;
+    private int savedTriangles;
+    private int savedCandidates;
 
     /// <summary>Prepares the reduction of a mesh; it is not changed.</summary>
     public MeshReduction(CreatureMesh mesh)
     {
         this.mesh = mesh;
-        VertexWelding welding = VertexWelding.Weld(mesh.Positions);
-        pointOf = welding.NewIndex.ToArray();
-        positions = welding.Positions.ToArray();
-        corners = welding.Apply(mesh.Triangles);
-        vertices = mesh.Triangles.ToArray();
-        var normals = new Vector3[positions.Length];
-        for (int v = 0; v < pointOf.Length; v++)
+        subject = new ReductionSubject(mesh);
+        twin = subject.Twin;
+        Triangles = mesh.Triangles.Length / 3;
+        surface = new CollapsingMesh(subject.Positions, subject.Normals(), subject.Corners, subject.Vertices, subject.Rim);
+        cost = new ReductionCost(mesh, subject);
+        choice = new StepChoice(surface, cost, subject);
+        crossings = new CrossingSearch(subject.Positions, subject.Corners, subject.PieceOf, subject.Box);
+        remap = Identity(subject.PointOf.Length);
+        standsFor = Identity(subject.Points);
+        pieces = new ReductionPieces(subject);
+        held = new bool[subject.Points];
+        wereUsed = new bool[subject.Points];
+        stale = new bool[subject.Points];
+        cheapest = new int[subject.Points];
+        costs = new float[subject.Points + pieces.Lost.Length];
+        candidates = new int[costs.Length];
+        order = new CostOrder(costs.Length);
+        for (int p = 0; p < subject.Points; p++)
         {
-            normals[pointOf[v]] += mesh.Normals[v];
+            stale[p] = subject.Side[p] >= 0;
+            candidates[candidateCount] = p;
+            candidateCount += stale[p] ? 1 : 0;
         }
 
-        for (int p = 0; p < normals.Length; p++)
+        for (int piece = 0; piece < pieces.Lost.Length; piece++)
         {
-            normals[p] = Vec.Normalize(normals[p], Vector3.UnitY);
+            int item = subject.Points + piece;
+            costs[item] = pieces.LossOf(piece, cost);
+            candidates[candidateCount] = item;
+            candidateCount += float.IsInfinity(costs[item]) ? 0 : 1;
         }
 
-        surface = new CollapsingMesh(positions, normals, corners, vertices);
-        twin = SagittalTwins.Find(welding);
-        bool mirrored = Array.IndexOf(twin, -1) < 0;
-        side = new sbyte[positions.Length];
-        for (int p = 0; p < side.Length; p++)
-        {
-            // Without mirror images all is one side.
-            twin[p] = mirrored ? twin[p] : p;
-            side[p] = mirrored ? (sbyte)Math.Sign(positions[p].X) : (sbyte)1;
-        }
-
-        cost = new ReductionCost(mesh, positions, pointOf, corners);
-        choice = new StepChoice(surface, cost, twin, side);
-        remap = Identity(pointOf.Length);
-        standsFor = Identity(positions.Length);
-
-        var pieces = new SurfacePieces(positions, corners);
-        pieceOf = pieces.PieceOf;
-        lopsided = LopsidedPieces.Find(corners, twin, pieceOf);
-        lostPieces = new bool[positions.Length];
-        queued = new bool[positions.Length];
-        cheapest = new int[positions.Length];
-        Array.Fill(cheapest, -1);
-        queue = new CostQueue(positions.Length);
-        OfferPieces(pieces);
-        for (int p = 0; p < positions.Length; p++)
-        {
-            if (side[p] >= 0)
-            {
-                Enqueue(p);
-            }
-        }
+        saved = new SavedArrays(remap, standsFor, pieces.Lost, stale, cheapest, costs, candidates);
     }
 
-    /// <summary>From now on no step is taken after which the surface would cut through itself where it did not before.</summary>
-    public void KeepFromCrossing() => guard ??= new CrossingGuard(surface, positions, corners, pieceOf, MirrorImages.Find(corners, side, pieceOf, lopsided));
-
     /// <summary>Triangles that are left.</summary>
-    public int Triangles => surface.Triangles;
+    public int Triangles { get; private set; }
 
     /// <summary>Takes triangles away until no more than a number are left, or nothing can go without damage.</summary>
     public void ReduceTo(int triangles)
     {
-        while (surface.Triangles > triangles && queue.Count > 0)
+        if (Triangles <= triangles)
         {
-            int item = queue.Take(out double known);
-            if (item >= twin.Length)
-            {
-                RemovePiece(item - twin.Length);
-            }
-            else
-            {
-                queued[item] = false;
-                if (surface.IsUsed(item))
-                {
-                    Step(item, known);
-                }
-            }
+            return;
+        }
+
+        Save();
+        TakeSteps(triangles);
+        while (crossings.Find(surface) > 0 && HoldWhatLedThere())
+        {
+            Restore();
+            TakeSteps(triangles);
+        }
+
+        for (int p = 0; p < held.Length; p++)
+        {
+            stale[p] |= held[p];
+            held[p] = false;
         }
     }
 
     /// <summary>The mesh as it is now, over the same vertices.</summary>
-    public CreatureLod ToLevel()
-    {
-        int[] triangles = new int[3 * surface.Triangles];
-        var parts = new List<MeshPart>();
-        int count = 0;
-        foreach (MeshPart part in mesh.Parts)
-        {
-            int start = count;
-            for (int c = part.FirstIndex; c < part.FirstIndex + part.IndexCount; c++)
-            {
-                if (!surface.IsGone(c / 3))
-                {
-                    triangles[count++] = vertices[c];
-                }
-            }
-
-            if (count > start)
-            {
-                parts.Add(new MeshPart(part.Material, start, count - start));
-            }
-        }
-
-        return new CreatureLod(mesh, triangles, parts, FinalRemap());
-    }
+    public CreatureLod ToLevel() => CreatureLod.Of(mesh, FinalRemap(), subject.PlaceOf);
 
     /// <summary>Gives borrowed memory back; nothing may be asked of it any more.</summary>
     public void Dispose()
     {
         cost.Dispose();
-        guard?.Dispose();
+        crossings.Dispose();
     }
 
     private static int[] Identity(int count)
@@ -173,85 +131,109 @@ internal sealed class MeshReduction : IDisposable
         return identity;
     }
 
-    /// <summary>Lets all pieces but the largest be lost, each together with its mirror image.</summary>
-    private void OfferPieces(SurfacePieces pieces)
+    /// <summary>Takes steps in rounds until no more than a number of triangles are left.</summary>
+    private void TakeSteps(int triangles)
     {
-        for (int p = 0; p < twin.Length; p++)
+        const int TrianglesOfStep = 4;
+        bool goesOn = true;
+        while (Triangles > triangles && goesOn)
         {
-            int other = pieceOf[twin[p]];
-            if (pieceOf[p] == p && p <= other && p != pieces.Largest && other != pieces.Largest)
+            goesOn = Refresh();
+            ReadOnlySpan<int> cheapestFirst = order.Sort(candidates.AsSpan(0, candidateCount), costs);
+            int enough = Math.Min(cheapestFirst.Length, (Triangles - triangles + TrianglesOfStep - 1) / TrianglesOfStep);
+            goesOn |= enough > 0;
+            float limit = enough > 0 ? costs[cheapestFirst[enough - 1]] : 0f;
+            for (int i = 0; i < enough && Triangles > triangles; i++)
             {
-                queue.Add(twin.Length + p, cost.OfLoss(p, pieces.AreaOf(p), pieces.DiagonalOf(p)));
+                int item = cheapestFirst[i];
+                if (item >= subject.Points)
+                {
+                    Triangles -= pieces.Lose(item - subject.Points, surface);
+                    costs[item] = float.PositiveInfinity;
+                }
+                else if (!stale[item])
+                {
+                    Step(item, limit);
+                }
             }
         }
     }
 
-    private void Enqueue(int point)
+    /// <summary>Works out anew what the points cost around which something has changed, and forgets those that have gone. False when nothing has changed.</summary>
+    private bool Refresh()
     {
-        if (queued[point])
+        bool any = false;
+        int kept = 0;
+        for (int i = 0; i < candidateCount; i++)
         {
+            int item = candidates[i];
+            if (item < subject.Points)
+            {
+                if (!surface.IsUsed(item))
+                {
+                    continue;
+                }
+
+                if (stale[item])
+                {
+                    stale[item] = false;
+                    any = true;
+                    cheapest[item] = choice.FindCheapest(item, out double leastCost);
+                    costs[item] = held[item] ? float.PositiveInfinity : (float)leastCost;
+                }
+            }
+
+            candidates[kept++] = item;
+        }
+
+        candidateCount = kept;
+        return any;
+    }
+
+    /// <summary>Pulls a point onto the neighbour for which that costs least of those that will do; sets it aside where none will, or where that costs more than a limit.</summary>
+    private void Step(int point, float limit)
+    {
+        if (!surface.IsUsed(point))
+        {
+            costs[point] = float.PositiveInfinity;
             return;
         }
 
-        surface.Neighbours(point, around);
-        double min = double.PositiveInfinity;
-        foreach (int n in around)
+        if (TryBoth(point, cheapest[point]))
         {
-            min = Math.Min(min, cost.MinOf(point, n, cost.ShapeOf(point, n)));
-        }
-
-        queued[point] = true;
-        queue.Add(point, min);
-    }
-
-    /// <summary>Pulls a point onto the neighbour for which that costs least; puts it back when that costs more than was known, and sets it aside when no neighbour will do.</summary>
-    private void Step(int point, double known)
-    {
-        int best = cheapest[point];
-        if (best < 0)
-        {
-            best = choice.FindCheapest(point, out double leastCost);
-            if (best >= 0 && leastCost > known)
-            {
-                cheapest[point] = choice.MayTear ? -1 : best;
-                queued[point] = true;
-                queue.Add(point, leastCost);
-                return;
-            }
-        }
-
-        if (best >= 0 && TryBoth(point, best))
-        {
-            Requeue(best);
+            Note(point, cheapest[point]);
             return;
         }
 
         choice.Rank(point);
-        for (int i = 1; i < choice.Ranked.Count; i++)
+        float tried = costs[point];
+        for (int i = 0; i < choice.Ranked.Count; i++)
         {
-            if (choice.CostOf(i) > known)
+            int to = choice.Ranked[i];
+            float price = (float)choice.CostOf(i);
+            if (price > limit && price > tried)
             {
-                cheapest[point] = -1;
-                queued[point] = true;
-                queue.Add(point, choice.CostOf(i));
+                cheapest[point] = to;
+                costs[point] = price;
                 return;
             }
 
-            if (TryBoth(point, choice.Ranked[i]))
+            if (to != cheapest[point] && TryBoth(point, to))
             {
-                Requeue(choice.Ranked[i]);
+                Note(point, to);
                 return;
             }
         }
+
+        costs[point] = float.PositiveInfinity;
     }
 
-    private bool OnOtherSide(int point) => side[point] < 0;
-
-    /// <summary>Pulls a point onto a neighbour, and the mirror image of the one onto that of the other; both or none.</summary>
+    /// <summary>Pulls a point onto a neighbour, and in pieces of which both sides are there the mirror image of the one onto that of the other; both or none.</summary>
     private bool TryBoth(int from, int to)
     {
         int twinFrom = twin[from];
         int twinTo = twin[to];
+        int before = surface.Triangles;
         surface.Prune(to);
         if (!surface.Allows(from, to))
         {
@@ -260,25 +242,11 @@ internal sealed class MeshReduction : IDisposable
 
         surface.Prune(twinFrom);
         surface.Prune(twinTo);
-        if (guard != null && twinFrom != from && lopsided[pieceOf[from]] && !StaysClear(guard, twinFrom, twinTo))
-        {
-            return false;
-        }
-
-        // What is around the image of a step is the image of what is around the step: what is allowed here is allowed there.
-        bool apart = twinFrom != from && !lopsided[pieceOf[from]] && surface.LiesAmong(from, side, 1) && surface.LiesAmong(to, side, 1);
         choice.Match(from, to, pairs);
         surface.Collapse(from, to, pairs);
-        surface.Taken(moved, lost);
-        if (guard != null && (guard.Cross(moved, from, to) || (twinFrom != from && guard.CrossImages(moved, twin))))
-        {
-            surface.Undo();
-            return false;
-        }
-
         if (twinFrom != from)
         {
-            if (!apart && !surface.Allows(twinFrom, twinTo))
+            if (!surface.Allows(twinFrom, twinTo))
             {
                 surface.Undo();
                 return false;
@@ -286,32 +254,12 @@ internal sealed class MeshReduction : IDisposable
 
             choice.Match(twinFrom, twinTo, twinPairs);
             surface.Collapse(twinFrom, twinTo, twinPairs);
-
-            // Mirror images cross nothing when these do not; where they are none, that was looked at.
-            surface.Taken(twinMoved, twinLost);
-            guard?.Note(twinMoved, twinLost);
             Accept(twinFrom, twinTo, twinPairs);
         }
 
-        guard?.Note(moved, lost);
         Accept(from, to, pairs);
+        Triangles -= (before - surface.Triangles) * pieces.SidesOf(subject.PieceOf[from]);
         return true;
-    }
-
-    /// <summary>Whether nothing cuts through anything after a step, which is not taken yet.</summary>
-    private bool StaysClear(CrossingGuard asked, int from, int to)
-    {
-        if (!surface.Allows(from, to))
-        {
-            return false;
-        }
-
-        choice.Match(from, to, twinPairs);
-        surface.Collapse(from, to, twinPairs);
-        surface.Taken(twinMoved, twinLost);
-        bool clear = !asked.Cross(twinMoved, from, to);
-        surface.Undo();
-        return clear;
     }
 
     private void Accept(int from, int to, List<(int From, int To)> taken)
@@ -324,60 +272,101 @@ internal sealed class MeshReduction : IDisposable
         }
     }
 
-    /// <summary>Gives the points around a step another chance.</summary>
-    private void Requeue(int to)
+    /// <summary>Gives the points around a step another chance: what the others cost has not changed.</summary>
+    private void Note(int from, int to)
     {
-        surface.Neighbours(to, neighbours);
-        neighbours.Add(to);
-        foreach (int n in neighbours)
+        NoteAround(from, to);
+        if (twin[from] != from)
         {
-            cheapest[n] = -1;
-            if (!OnOtherSide(n))
-            {
-                Enqueue(n);
-            }
+            NoteAround(twin[from], twin[to]);
         }
     }
 
-    private void RemovePiece(int piece)
+    private void NoteAround(int from, int to)
     {
-        int other = pieceOf[twin[piece]];
-        lostPieces[piece] = true;
-        lostPieces[other] = true;
-        for (int t = 0; t < corners.Length / 3; t++)
+        costs[from] = float.PositiveInfinity;
+        stale[to] = true;
+        foreach (int n in surface.Neighbours(to))
         {
-            if (!surface.IsGone(t) && lostPieces[pieceOf[corners[3 * t]]])
+            stale[n] |= cheapest[n] == from || float.IsInfinity(costs[n]);
+        }
+    }
+
+    /// <summary>Holds the points that went where the surface now cuts through itself. False when all of them were held already: then it did so before.</summary>
+    private bool HoldWhatLedThere()
+    {
+        bool any = false;
+        for (int p = 0; p < standsFor.Length; p++)
+        {
+            if (!held[p] && subject.Side[p] >= 0 && wereUsed[p] && standsFor[p] != p && (crossings.Touches(End(p, standsFor)) || crossings.Touches(End(twin[p], standsFor))))
             {
-                surface.Remove(t);
+                held[p] = true;
+                any = true;
             }
         }
+
+        return any;
     }
 
     /// <summary>For each vertex of the mesh the one that stands for it, −1 when its piece is lost.</summary>
     private int[] FinalRemap()
     {
         bool[] used = new bool[remap.Length];
-        for (int c = 0; c < vertices.Length; c++)
+        for (int c = 0; c < subject.Vertices.Length; c++)
         {
-            used[vertices[c]] |= !surface.IsGone(c / 3);
+            used[subject.Vertices[c]] |= !surface.IsGone(c / 3);
         }
 
         int[] final = new int[remap.Length];
         for (int v = 0; v < final.Length; v++)
         {
-            int point = End(pointOf[v], standsFor);
-            if (lostPieces[pieceOf[point]])
+            final[v] = v;
+            if (subject.PointOf[v] >= 0)
             {
-                final[v] = -1;
-                continue;
-            }
+                int point = End(subject.PointOf[v], standsFor);
 
-            // The last triangle of a vertex may have gone while its point stayed with others.
-            int at = End(v, remap);
-            final[v] = used[at] ? at : choice.MaxAlike(v, point);
+                // The last triangle of a vertex may have gone while its point stayed with others.
+                int at = End(v, remap);
+                final[v] = pieces.Lost[subject.PieceOf[point]] ? -1 : used[at] ? at : choice.MaxAlike(v, point);
+            }
+        }
+
+        int[] images = subject.Half.Image;
+        for (int v = 0; v < final.Length; v++)
+        {
+            if (images[v] >= 0 && images[v] != v)
+            {
+                final[images[v]] = final[v] < 0 ? -1 : images[final[v]];
+            }
         }
 
         return final;
+    }
+
+    private void Save()
+    {
+        savedTriangles = Triangles;
+        savedCandidates = candidateCount;
+        surface.Save();
+        cost.Save();
+        saved.Save();
+        for (int p = 0; p < wereUsed.Length; p++)
+        {
+            wereUsed[p] = surface.IsUsed(p);
+        }
+    }
+
+    private void Restore()
+    {
+        Triangles = savedTriangles;
+        candidateCount = savedCandidates;
+        surface.Restore();
+        cost.Restore();
+        saved.Restore();
+        for (int p = 0; p < held.Length; p++)
+        {
+            costs[p] = held[p] ? float.PositiveInfinity : costs[p];
+        }
     }
 
     private static int End(int at, int[] chain)

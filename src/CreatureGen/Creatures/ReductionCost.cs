@@ -2,6 +2,7 @@ using System;
 using System.Buffers;
 using System.Collections.Generic;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Geometry;
 using CreatureGen.Maths;
 using CreatureGen.Skinning;
@@ -38,7 +39,9 @@ internal sealed class ReductionCost : IDisposable
 
     private readonly Vector3[] positions;
     private readonly Quadric[] quadrics;
+    private readonly Quadric[] savedQuadrics;
     private readonly double[] areas;
+    private readonly SavedArrays savedAreas;
     private readonly double[] simplificationWeight;
     private readonly SkinWeights[] weights;
     private readonly Vector3[] colours;
@@ -48,15 +51,17 @@ internal sealed class ReductionCost : IDisposable
 
     /// <summary>Measures the surface.</summary>
     /// <param name="mesh">What is drawn.</param>
-    /// <param name="positions">Place of each point.</param>
-    /// <param name="pointOf">The point of each vertex.</param>
-    /// <param name="corners">The point of each corner of the triangles.</param>
-    public ReductionCost(CreatureMesh mesh, Vector3[] positions, ReadOnlySpan<int> pointOf, ReadOnlySpan<int> corners)
+    /// <param name="subject">The half of it that is worked on.</param>
+    public ReductionCost(CreatureMesh mesh, ReductionSubject subject)
     {
-        this.positions = positions;
+        positions = subject.Positions;
+        int[] pointOf = subject.PointOf;
+        int[] corners = subject.Corners;
         quadrics = ArrayPool<Quadric>.Shared.Rent(positions.Length);
+        savedQuadrics = ArrayPool<Quadric>.Shared.Rent(positions.Length);
         Array.Clear(quadrics, 0, positions.Length);
         areas = new double[positions.Length];
+        savedAreas = new SavedArrays(areas);
         for (int t = 0; t < corners.Length; t += 3)
         {
             Vector3 a = positions[corners[t]];
@@ -75,16 +80,21 @@ internal sealed class ReductionCost : IDisposable
         colours = new Vector3[pointOf.Length];
         for (int v = 0; v < pointOf.Length; v++)
         {
+            if (pointOf[v] < 0)
+            {
+                continue;
+            }
+
             weights[pointOf[v]] = mesh.Weights[v];
             double seen = mesh.SimplificationWeight is null ? 1 : mesh.SimplificationWeight[v];
-            simplificationWeight[pointOf[v]] = seen * seen * seen * seen;
+            simplificationWeight[pointOf[v]] = seen * seen * seen * seen * (subject.Rim[pointOf[v]] ? 2 : 1);
 
             // The root is nearer to what the eye makes of brightness.
             Vector3 c = mesh.Colours[v];
             colours[v] = new Vector3((float)Math.Sqrt(Math.Max(c.X, 0f)), (float)Math.Sqrt(Math.Max(c.Y, 0f)), (float)Math.Sqrt(Math.Max(c.Z, 0f)));
         }
 
-        double diagonal = PointBounds.Of(positions).Diagonal;
+        double diagonal = subject.Box.Diagonal;
         contrast = Contrast * diagonal;
         tear = Tear * diagonal;
         lift = Lift * diagonal;
@@ -138,10 +148,25 @@ internal sealed class ReductionCost : IDisposable
         areas[to] += areas[from];
     }
 
+    /// <summary>Keeps what each point stands for.</summary>
+    public void Save()
+    {
+        Array.Copy(quadrics, savedQuadrics, areas.Length);
+        savedAreas.Save();
+    }
+
+    /// <summary>Lets each point stand for what it stood for when that was saved.</summary>
+    public void Restore()
+    {
+        Array.Copy(savedQuadrics, quadrics, areas.Length);
+        savedAreas.Restore();
+    }
+
     /// <inheritdoc/>
     public void Dispose()
     {
         ArrayPool<Quadric>.Shared.Return(quadrics);
+        ArrayPool<Quadric>.Shared.Return(savedQuadrics);
         ArrayPool<SkinWeights>.Shared.Return(weights);
     }
 
@@ -165,6 +190,7 @@ internal sealed class ReductionCost : IDisposable
         return 1 - common;
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void AddCommon(ref double common, float weight, int joint, in SkinWeights b)
     {
         if (weight > 0f)

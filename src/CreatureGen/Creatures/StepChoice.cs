@@ -6,13 +6,11 @@ namespace CreatureGen.Creatures;
 /// <summary>Says onto which of its neighbours a point is pulled at the least cost, and which vertices take the place of which when it is.</summary>
 /// <param name="surface">The surface as it is reduced.</param>
 /// <param name="cost">What steps cost.</param>
-/// <param name="twin">The mirror image of each point.</param>
-/// <param name="side">The side of the plane of symmetry that each point is on; 0 is the plane.</param>
-internal sealed class StepChoice(CollapsingMesh surface, ReductionCost cost, int[] twin, sbyte[] side)
+/// <param name="subject">What it is the surface of.</param>
+internal sealed class StepChoice(CollapsingMesh surface, ReductionCost cost, ReductionSubject subject)
 {
     private readonly double[] costs = new double[64];
     private readonly double[] shapes = new double[64];
-    private readonly List<int> neighbours = new();
     private readonly List<int> ranked = new();
     private readonly List<int> vertices = new();
     private readonly List<(int From, int To)> pairs = new();
@@ -29,10 +27,9 @@ internal sealed class StepChoice(CollapsingMesh surface, ReductionCost cost, int
     /// <summary>Finds the neighbour that <see cref="Rank"/> lists first, −1 when there is none. Four of six are ruled out by their shape alone, in a third of the time that weights, colours and texture take.</summary>
     public int FindCheapest(int point, out double leastCost)
     {
-        surface.Neighbours(point, neighbours);
         ranked.Clear();
         int first = -1;
-        foreach (int n in neighbours)
+        foreach (int n in surface.Neighbours(point))
         {
             if (KeepsSides(point, n) && ranked.Count < costs.Length)
             {
@@ -87,14 +84,14 @@ internal sealed class StepChoice(CollapsingMesh surface, ReductionCost cost, int
     }
 
     /// <summary>Whether a point stays on its side of the plane of symmetry, or on the plane, when it is pulled onto a neighbour.</summary>
-    private bool KeepsSides(int point, int n) => twin[point] == point ? twin[n] == n : n != twin[point] && side[n] >= 0;
+    private bool KeepsSides(int point, int n) =>
+        subject.Rim[point] ? subject.Rim[n] : subject.Twin[point] == point ? subject.Twin[n] == n : n != subject.Twin[point] && subject.Side[n] >= 0;
 
     /// <summary>Lists the neighbours onto which a point may be pulled, the cheapest first.</summary>
     public void Rank(int point)
     {
-        surface.Neighbours(point, neighbours);
         ranked.Clear();
-        foreach (int n in neighbours)
+        foreach (int n in surface.Neighbours(point))
         {
             if (!KeepsSides(point, n) || ranked.Count == costs.Length)
             {

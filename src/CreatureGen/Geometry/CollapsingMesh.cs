@@ -28,20 +28,28 @@ internal sealed class CollapsingMesh
 
     // The drawn vertex of a point that has but one, as most have: then an edge between two of these says at once which takes the place of which. −1 for others.
     private readonly int[] onlyVertex;
+
+    // The points on the rim, where the surface ends at the plane that mirrors it.
+    private readonly bool[] rim;
+    private readonly int[] around;
     private int mark;
 
     private readonly List<int> movedCorners = new();
     private readonly List<int> movedVertices = new();
     private readonly List<int> lostTriangles = new();
     private (int From, int To, int FirstOfFrom, int LastOfFrom, int FirstOfTo) step;
+    private readonly SavedArrays saved;
+    private int savedTriangles;
 
-    /// <summary>Takes a surface whose every edge has two triangles.</summary>
+    /// <summary>Takes a surface whose every edge has two triangles, or one and two points on the rim.</summary>
     /// <param name="positions">Place of each point.</param>
     /// <param name="normals">Unit normal of each point: no triangle is turned against those of its corners.</param>
     /// <param name="points">The point of each corner, three corners per triangle; changed in place from now on.</param>
     /// <param name="vertices">The drawn vertex of each corner; changed in place from now on.</param>
-    public CollapsingMesh(Vector3[] positions, Vector3[] normals, int[] points, int[] vertices)
+    /// <param name="rim">The points on the plane beyond which the surface goes on as its own mirror image; null where it is whole.</param>
+    public CollapsingMesh(Vector3[] positions, Vector3[] normals, int[] points, int[] vertices, bool[]? rim = null)
     {
+        this.rim = rim ?? new bool[positions.Length];
         this.positions = positions;
         this.normals = normals;
         this.points = points;
@@ -54,6 +62,7 @@ internal sealed class CollapsingMesh
         unpruned = new bool[positions.Length];
         marks = new int[positions.Length];
         onlyVertex = new int[positions.Length];
+        around = new int[positions.Length + 1];
         Array.Fill(first, -1);
         for (int c = points.Length - 1; c >= 0; c--)
         {
@@ -63,22 +72,25 @@ internal sealed class CollapsingMesh
             last[p] = first[p] < 0 ? c : last[p];
             first[p] = c;
         }
+
+        saved = new SavedArrays(points, vertices, first, last, next, gone, unpruned);
     }
 
-    /// <summary>Number of triangles left.</summary>
+    /// <summary>Number of triangles left of those that were given.</summary>
     public int Triangles { get; private set; }
 
-    /// <summary>Lists the triangles that the last step gave another corner, and those that vanished in it.</summary>
-    public void Taken(List<int> moved, List<int> vanished)
+    /// <summary>Keeps the surface as it is.</summary>
+    public void Save()
     {
-        moved.Clear();
-        foreach (int corner in movedCorners)
-        {
-            moved.Add(TriangleOf(corner));
-        }
+        savedTriangles = Triangles;
+        saved.Save();
+    }
 
-        vanished.Clear();
-        vanished.AddRange(lostTriangles);
+    /// <summary>Puts the surface back to what it was when it was saved.</summary>
+    public void Restore()
+    {
+        Triangles = savedTriangles;
+        saved.Restore();
     }
 
     /// <summary>Whether a triangle has vanished.</summary>
@@ -90,28 +102,25 @@ internal sealed class CollapsingMesh
     /// <summary>The drawn vertex of a point that has but one, −1 for others.</summary>
     public int OnlyVertexOf(int point) => onlyVertex[point];
 
-    /// <summary>Lists the neighbours of a point, each once.</summary>
-    public void Neighbours(int point, List<int> neighbours)
+    /// <summary>The neighbours of a point, each once; valid until the next question.</summary>
+    public ReadOnlySpan<int> Neighbours(int point)
     {
         Prune(point);
-        neighbours.Clear();
         mark++;
+        int count = 0;
         for (int c = first[point]; c >= 0; c = next[c])
         {
-            int a = points[Next(c)];
-            int b = points[Previous(c)];
-            if (marks[a] != mark)
-            {
-                marks[a] = mark;
-                neighbours.Add(a);
-            }
-
-            if (marks[b] != mark)
-            {
-                marks[b] = mark;
-                neighbours.Add(b);
-            }
+            // What has been marked already is overwritten.
+            int a = points[Next(c)], b = points[Previous(c)];
+            around[count] = a;
+            count += marks[a] == mark ? 0 : 1;
+            marks[a] = mark;
+            around[count] = b;
+            count += marks[b] == mark ? 0 : 1;
+            marks[b] = mark;
         }
+
+        return new ReadOnlySpan<int>(around, 0, count);
     }
 
     /// <summary>
@@ -178,18 +187,6 @@ internal sealed class CollapsingMesh
                 found.Add(vertices[c]);
             }
         }
-    }
-
-    /// <summary>Whether all neighbours of a point are on a side. Those that it has lost since it was pruned count as well.</summary>
-    public bool LiesAmong(int point, sbyte[] sideOf, sbyte side)
-    {
-        int c = first[point];
-        while (c >= 0 && sideOf[points[Next(c)]] == side && sideOf[points[Previous(c)]] == side)
-        {
-            c = next[c];
-        }
-
-        return c < 0;
     }
 
     /// <summary>Whether a point can be pulled onto a neighbour without pinching the surface, folding it or making a sliver.</summary>
@@ -311,13 +308,12 @@ internal sealed class CollapsingMesh
         last[point] = kept;
     }
 
-    /// <summary>The two ends of an edge have no neighbours in common but the two across it, and those two are no triangle with both.</summary>
+    /// <summary>The two ends of an edge have no neighbours in common but the two across it, of which the second may be a mirror image, and those two are no triangle with both.</summary>
     private bool LinkHolds(int from, int to)
     {
+        int sides = rim[from] ? 1 : 2;
         mark += 2;
-        int across = -1;
-        int alsoAcross = -1;
-        int faces = 0;
+        int across = -1, alsoAcross = -1, faces = 0;
         for (int c = first[from]; c >= 0; c = next[c])
         {
             if (gone[TriangleOf(c)])
@@ -337,7 +333,7 @@ internal sealed class CollapsingMesh
             }
         }
 
-        if (faces != 2 || across == alsoAcross)
+        if (faces != sides || across == alsoAcross || (rim[to] && !rim[from] && Pinches(from, to, across, alsoAcross)))
         {
             return false;
         }
@@ -357,7 +353,7 @@ internal sealed class CollapsingMesh
             bridged |= (a == across && b == alsoAcross) || (b == across && a == alsoAcross);
         }
 
-        return common == 2 && !(bridged && IsTriangle(from, across, alsoAcross));
+        return common == sides && !(bridged && IsTriangle(from, across, alsoAcross));
 
         int Count(int neighbour)
         {
@@ -369,6 +365,21 @@ internal sealed class CollapsingMesh
             marks[neighbour] = mark - 1;
             return 1;
         }
+    }
+
+    /// <summary>Whether a point and its mirror image, pulled onto the rim from both sides, would meet along an edge or in a triangle there.</summary>
+    private bool Pinches(int from, int to, int across, int alsoAcross)
+    {
+        for (int c = first[from]; c >= 0; c = next[c])
+        {
+            int a = points[Next(c)];
+            if (!gone[TriangleOf(c)] && rim[a] && a != to && ((a != across && a != alsoAcross) || rim[points[Previous(c)]] && points[Previous(c)] != to))
+            {
+                return true;
+            }
+        }
+
+        return false;
     }
 
     private bool IsTriangle(int point, int a, int b)
@@ -388,8 +399,6 @@ internal sealed class CollapsingMesh
 
     private bool Folds(int from, int to)
     {
-        Vector3 before = positions[from];
-        Vector3 after = positions[to];
         for (int c = first[from]; c >= 0; c = next[c])
         {
             int i = points[Next(c)];
@@ -400,7 +409,7 @@ internal sealed class CollapsingMesh
             }
 
             Vector3 facing = normals[i] + normals[j];
-            if (CornerPull.Spoils(before, after, positions[i], positions[j], facing + normals[from], facing + normals[to]))
+            if (CornerPull.Spoils(positions[from], positions[to], positions[i], positions[j], facing + normals[from], facing + normals[to]))
             {
                 return true;
             }

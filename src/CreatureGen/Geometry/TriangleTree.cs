@@ -31,8 +31,6 @@ internal sealed class TriangleTree
     private ulong[] triples = Array.Empty<ulong>();
     private int[] orderSpare = Array.Empty<int>();
     private uint[] curve = Array.Empty<uint>();
-    private int[] nodes = Array.Empty<int>();
-    private int[] children = Array.Empty<int>();
 
     /// <summary>Triangles in the tree: those whose corners are all finite.</summary>
     public int Count { get; private set; }
@@ -82,79 +80,6 @@ internal sealed class TriangleTree
             Sort();
             Enclose(triangles);
         }
-    }
-
-    /// <summary>The corners of the box of three vertices, the upper one guarded.</summary>
-    public (ulong Low, ulong High) BoxOf(int i, int j, int k)
-    {
-        ulong a = vertexCode[i], b = vertexCode[j], c = vertexCode[k];
-        return (BoxCode.Min(a, BoxCode.Min(b, c)), BoxCode.Guard(BoxCode.Max(a, BoxCode.Max(b, c))));
-    }
-
-    /// <summary>The slots whose boxes meet a box; valid until the next search.</summary>
-    /// <remarks>Level by level and without a branch that depends on what is met: what is not met is overwritten.</remarks>
-    public ReadOnlySpan<int> Overlapping(ulong boxLow, ulong boxHigh)
-    {
-        if (nodes.Length < high.Length)
-        {
-            nodes = new int[high.Length];
-            children = new int[high.Length];
-        }
-
-        int count = Count > 0 ? 1 : 0;
-        nodes[0] = 0;
-        for (int level = Levels - 1; level >= 0; level--)
-        {
-            ReadOnlySpan<ulong> lows = Low(level);
-            ReadOnlySpan<ulong> highs = High(level);
-            int met = 0;
-            for (int n = 0; n < count; n++)
-            {
-                int end = Branching * (nodes[n] + 1);
-                for (int child = end - Branching; child < end; child++)
-                {
-                    children[met] = child;
-                    met += BoxCode.Overlap(boxLow, boxHigh, lows[child], highs[child]);
-                }
-            }
-
-            (nodes, children) = (children, nodes);
-            count = met;
-        }
-
-        return new ReadOnlySpan<int>(nodes, 0, count);
-    }
-
-    /// <summary>Gives a slot other vertices. Boxes above it are widened and never narrowed.</summary>
-    public void Move(int slot, int i, int j, int k)
-    {
-        corners[3 * slot] = i;
-        corners[(3 * slot) + 1] = j;
-        corners[(3 * slot) + 2] = k;
-        triples[slot] = Pack(i, j, k);
-        (low[slot], high[slot]) = BoxOf(i, j, k);
-        int node = slot;
-        for (int level = 1; level < Levels; level++)
-        {
-            node /= Branching;
-            int at = levelStart[level] + node;
-            ulong wider = BoxCode.Min(low[at], low[slot]);
-            ulong higher = BoxCode.Guard(BoxCode.Max(BoxCode.Bare(high[at]), BoxCode.Bare(high[slot])));
-            if (wider == low[at] && higher == high[at])
-            {
-                return;
-            }
-
-            low[at] = wider;
-            high[at] = higher;
-        }
-    }
-
-    /// <summary>Takes what is in a slot out of all further searches.</summary>
-    public void Remove(int slot)
-    {
-        low[slot] = NoLow;
-        high[slot] = BoxCode.Guard(0);
     }
 
     private static ulong Pack(int i, int j, int k) => BoxCode.Pack(i & BoxCode.MaxCoordinate, j & BoxCode.MaxCoordinate, k & BoxCode.MaxCoordinate);

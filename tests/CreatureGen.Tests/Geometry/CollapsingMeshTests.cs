@@ -15,9 +15,7 @@ public sealed class CollapsingMeshTests
     public void Neighbours_are_listed_once()
     {
         CollapsingMesh mesh = Octahedron();
-        var neighbours = new List<int>();
-        mesh.Neighbours(0, neighbours);
-        Assert.Equal([2, 3, 4, 5], neighbours.Order());
+        Assert.Equal([2, 3, 4, 5], mesh.Neighbours(0).ToArray().Order());
     }
 
     [Fact]
@@ -87,12 +85,10 @@ public sealed class CollapsingMeshTests
         int[] vertices = (int[])corners.Clone();
         var mesh = new CollapsingMesh(points, Outwards(points), places, vertices);
         int tried = 0;
-        var neighbours = new List<int>();
-        var after = new List<int>();
         for (int p = 0; p < points.Length; p++)
         {
-            mesh.Neighbours(p, neighbours);
-            foreach (int q in neighbours.ToArray())
+            int[] neighbours = mesh.Neighbours(p).ToArray();
+            foreach (int q in neighbours)
             {
                 if (TryCollapse(mesh, p, q))
                 {
@@ -102,8 +98,7 @@ public sealed class CollapsingMeshTests
                     Assert.Equal(corners.Length / 3, mesh.Triangles);
                     Assert.Equal(corners, places);
                     Assert.Equal(corners, vertices);
-                    mesh.Neighbours(p, after);
-                    Assert.Equal(neighbours, after);
+                    Assert.Equal(neighbours, mesh.Neighbours(p).ToArray());
                 }
             }
         }
@@ -123,6 +118,54 @@ public sealed class CollapsingMeshTests
         Assert.False(mesh.Match(0, 4, pairs));
         Assert.Equal([(0, 4), (10, -1)], pairs.Order());
     }
+
+    [Fact]
+    public void A_surface_is_put_back_to_what_it_was_when_it_was_saved()
+    {
+        (Vector3[] points, int[] corners) = Grid(6);
+        int[] places = (int[])corners.Clone();
+        var mesh = new CollapsingMesh(points, Outwards(points), places, (int[])corners.Clone());
+        mesh.Save();
+        int taken = 0;
+        for (int p = 0; p < points.Length; p++)
+        {
+            foreach (int q in mesh.Neighbours(p).ToArray())
+            {
+                taken += mesh.IsUsed(p) && mesh.IsUsed(q) && TryCollapse(mesh, p, q) ? 1 : 0;
+            }
+        }
+
+        Assert.True(taken > 10);
+        Assert.Equal((corners.Length / 3) - (2 * taken), mesh.Triangles);
+        mesh.Restore();
+        Assert.Equal(corners.Length / 3, mesh.Triangles);
+        Assert.Equal(corners, places);
+        Assert.All(Enumerable.Range(0, points.Length), p => Assert.True(mesh.IsUsed(p)));
+    }
+
+    /// <summary>Points 0 to 3 and 4 are a square and its middle in front of the plane x = 0, seen from the left; what is beyond is the image.</summary>
+    [Fact]
+    public void A_point_on_the_rim_goes_along_the_rim_with_one_triangle()
+    {
+        Vector3[] points = { new(0, -1, -1), new(0, -1, 1), new(0, 1, 1), new(0, 1, -1), new(0, 0, 1.2f), new(1, 0, 0) };
+        int[] corners = { 0, 5, 1, 1, 5, 4, 4, 5, 2, 2, 5, 3, 3, 5, 0 };
+        CollapsingMesh mesh = Half(points, corners);
+        Assert.Equal([1, 2, 5], mesh.Neighbours(4).ToArray().Order());
+        Assert.True(TryCollapse(mesh, 4, 1));
+        Assert.Equal(4, mesh.Triangles);
+    }
+
+    [Fact]
+    public void A_point_that_joins_parts_of_the_rim_that_are_no_neighbours_stays()
+    {
+        // On the other side its image would do the same: both would meet along an edge of four triangles.
+        Vector3[] points = { new(0, -1, -1), new(0, -1, 1), new(0, 1, 1), new(0, 1, -1), new(1, 0, 0) };
+        int[] corners = { 0, 4, 1, 1, 4, 2, 2, 4, 3, 3, 4, 0 };
+        Assert.False(Half(points, corners).Allows(4, 0));
+    }
+
+    private static CollapsingMesh Half(Vector3[] points, int[] corners) =>
+        new(points, Outwards(points), (int[])corners.Clone(), (int[])corners.Clone(), points.Select(p => p.X == 0f).ToArray());
 
     private static bool TryCollapse(CollapsingMesh mesh, int from, int to)
     {
