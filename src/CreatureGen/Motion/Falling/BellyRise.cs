@@ -8,11 +8,11 @@ using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Falling;
 
-/// <summary>Rises from the belly, its legs folded under it, by the last phases of the act of lying down: feet come to where they stand as the trunk is raised over them, hind first or fore first.</summary>
+/// <summary>Rises from the belly, its legs folded under it, by the last phases of the act of lying down: feet come to where they stand as the trunk is raised over them, hind first or fore first, without a rest between the phases.</summary>
 internal sealed class BellyRise : IRise
 {
     /// <summary>Part of the time of the act in which who fell gets up: it was not lying at ease.</summary>
-    private const float Haste = 0.75f;
+    private const float Haste = 0.65f;
 
     private readonly FallProfile profile;
     private readonly LyingManner manner;
@@ -21,8 +21,7 @@ internal sealed class BellyRise : IRise
     private readonly BodyLayer asked;
     private readonly PoseBuffer shown;
     private readonly float[] values = new float[Act.ChannelCount];
-    private readonly int first;
-    private readonly float[] ends;
+    private readonly ActFlow flow;
     private float lift;
 
     public BellyRise(FallProfile profile, LyingManner manner, WalkingMode legs)
@@ -34,19 +33,14 @@ internal sealed class BellyRise : IRise
         asked = new BodyLayer(legs.FootCount);
         shown = new PoseBuffer(profile.Skeleton);
         ReadOnlySpan<ActPhase> phases = manner.Act.AllPhases;
-        while (!phases[first].Lasts)
+        int first = 1;
+        while (!phases[first - 1].Lasts)
         {
             first++;
         }
 
         // Times of an act are those of a leg length and a gravity of one, to begin with.
-        first++;
-        ends = new float[phases.Length - first];
-        float sum = 0f;
-        for (int i = 0; i < ends.Length; i++)
-        {
-            ends[i] = sum += phases[first + i].Duration;
-        }
+        flow = new ActFlow(manner.Act, first, manner.Gain);
     }
 
     /// <inheritdoc/>
@@ -62,20 +56,12 @@ internal sealed class BellyRise : IRise
     }
 
     /// <inheritdoc/>
-    public float Seconds(float tau) => Haste * ends[^1] * tau * manner.Tempo;
+    public float Seconds(float tau) => Haste * flow.Duration * tau * manner.Tempo;
 
     /// <inheritdoc/>
     public void Show(float u, in RootPlace place, float dt, in MotionSettings settings, BodyLayer? layer, in Pose local)
     {
-        float at = u * ends[^1];
-        int phase = 0;
-        while (phase + 1 < ends.Length && at > ends[phase])
-        {
-            phase++;
-        }
-
-        float begin = phase == 0 ? 0f : ends[phase - 1];
-        ActCurve.Write(manner.Act, first + phase, (at - begin) / (ends[phase] - begin), manner.Gain, values);
+        flow.Write(u, values);
         performer.Show(values, default, place);
         asked.CopyFrom(performer.Trunk!);
         asked.Still = 0f;

@@ -9,7 +9,7 @@ namespace CreatureGen.Motion.Falling;
 internal sealed class CrouchRise : IRise
 {
     /// <summary>Time that it takes, √(leg length / gravity).</summary>
-    private const float Time = 4.5f;
+    private const float Time = 3.4f;
 
     private readonly FallProfile profile;
     private readonly WalkingMode legs;

@@ -15,12 +15,16 @@ namespace CreatureGen.Motion.Falling;
 /// </summary>
 internal sealed class GettingUp
 {
-    /// <summary>Time of the gathering, τ = √(ℓ/g).</summary>
-    private const float GatherTime = 5f;
+    /// <summary>Time of the gathering, τ = √(ℓ/g), of a body that lies on its belly, and of one that has to roll over by so many radians or more.</summary>
+    private const float GatherTime = 3.4f;
+    private const float RollTime = 4.6f;
+    private const float Rolled = 1.6f;
 
-    /// <summary>Parts of the gathering: what of its skin is in the ground is out of it at the first, its trunk has come down onto the ground at the second and begins to be as high as it will stand at the third.</summary>
-    private const float Cleared = 0.12f;
-    private const float Settled = 0.25f;
+    /// <summary>What of its skin is in the ground is out of it after this time, and its trunk has come down onto the ground after that, τ.</summary>
+    private const float ClearTime = 0.6f;
+    private const float SettleTime = 1.25f;
+
+    /// <summary>Part of the gathering at which its trunk begins to be as high as it will stand.</summary>
     private const float Raised = 0.5f;
 
     /// <summary>Part of the rise in which a body comes down again that head, tail or wings keep off the ground once it has gathered itself.</summary>
@@ -44,6 +48,7 @@ internal sealed class GettingUp
     private readonly bool[] goesAround;
     private BodyTurn fromTurn;
     private BodyTurn toTurn;
+    private float unit;
     private float gather;
     private float rise;
     private float elapsed;
@@ -96,7 +101,8 @@ internal sealed class GettingUp
         toTurn = BodyTurn.Of(profile, to.Pose);
         gap = profile.Support.Lowest(place, from.Model, settings.Up, ground);
         float tau = (float)Math.Sqrt(profile.Height * place.Scale / settings.Gravity);
-        gather = GatherTime * tau * profile.Manner.Tempo;
+        unit = tau * profile.Manner.Tempo;
+        gather = Scalar.Lerp(GatherTime, RollTime, Scalar.Smooth(Math.Max(Math.Abs(fromTurn.Pitch - toTurn.Pitch), Math.Abs(fromTurn.Roll - toTurn.Roll)) / Rolled)) * unit;
         rise = rises ? rising!.Seconds(tau) : 0f;
         elapsed = 0f;
         over = profile.Swims ? default : GroundClearance.Clear(profile, shown, place, 0f, settings.Up, ground);
@@ -155,7 +161,7 @@ internal sealed class GettingUp
         from.Take(other.from.Local);
         to.Take(other.to.Pose);
         folded.Take(other.folded.Pose);
-        (fromTurn, toTurn, gather, rise, elapsed, gap, over) = (other.fromTurn, other.toTurn, other.gather, other.rise, other.elapsed, other.gap, other.over);
+        (fromTurn, toTurn, unit, gather, rise, elapsed, gap, over) = (other.fromTurn, other.toTurn, other.unit, other.gather, other.rise, other.elapsed, other.gap, other.over);
         rising?.CopyFrom(other.rising!);
         heave.CopyFrom(other.heave);
         other.ankles.CopyTo(ankles, 0);
@@ -177,7 +183,7 @@ internal sealed class GettingUp
     }
 
     /// <summary>How far below the ground skin may be: less and less of what was in it, metres of the model, not positive.</summary>
-    private float DepthAt(float u) => Math.Min(gap, 0f) * (1f - Scalar.Smooth(u / Cleared));
+    private float DepthAt(float u) => Math.Min(gap, 0f) * (1f - Scalar.Smooth(u * gather / (ClearTime * unit)));
 
     /// <summary>Rolls onto the belly and gathers the legs.</summary>
     /// <param name="u">Part of the time, 0..1.</param>
@@ -210,7 +216,7 @@ internal sealed class GettingUp
         // Its trunk lies on the ground while its legs are gathered.
         float depth = DepthAt(u);
         float raised = Scalar.Smooth((u - Raised) / (1f - Raised));
-        GroundClearance.Settle(profile, shown, place, depth, Scalar.Smooth(u / Settled) * (1f - raised), settings.Up, ground);
+        GroundClearance.Settle(profile, shown, place, depth, Scalar.Smooth(u * gather / (SettleTime * unit)) * (1f - raised), settings.Up, ground);
         profile.Raise(shown.Local, height);
         shown.Finish();
         foreach (LyingLimb limb in drawn)
@@ -219,6 +225,6 @@ internal sealed class GettingUp
             LimbDraw.Apply(profile.Skeleton, limb, from.Model.Positions[ankle], ankles[ankle], Scalar.Smooth(u), shown);
         }
 
-        LimbFold.Up(profile, profile.Limbs, shown, folded.Pose, FastestLimb * GatherTime * dt / gather, raised, place, depth, settings.Up, ground);
+        LimbFold.Up(profile, profile.Limbs, shown, folded.Pose, FastestLimb * dt / unit, raised, place, depth, settings.Up, ground);
     }
 }

@@ -243,26 +243,25 @@ public sealed class GettingUpTests
         }
     }
 
-    /// <summary>They took 16 to 18, a bull with a leg of two metres almost seven seconds: a player waits for that.</summary>
+    /// <summary>They took 16 to 18, then 14 to 15 with a rest after each phase: a player waits for that.</summary>
     [Theory]
     [InlineData(1UL)]
     [InlineData(9UL)]
     [InlineData(18UL)]
     [InlineData(34UL)]
-    public void Heavy_ones_that_fell_stand_in_fewer_than_sixteen_times_the_root_of_leg_length_over_gravity(ulong seed)
+    public void Heavy_ones_that_fell_stand_in_fewer_than_fourteen_times_the_root_of_leg_length_over_gravity(ulong seed)
     {
         var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
         Assert.True(profile.Subject.Mass.Mass > 300f);
-        CreatureAnimator animator = Lying(profile);
-        animator.GetUp();
-        int frames = 0;
-        while (animator.State != BodyState.Supported && frames < 3000)
-        {
-            animator.Update(Frame, default, FlatGround.Level);
-            frames++;
-        }
+        Assert.InRange(SecondsToRise(profile) / MathF.Sqrt(profile.LegLength / 9.81f), 5f, 14f);
+    }
 
-        Assert.InRange(frames * Frame / MathF.Sqrt(profile.LegLength / 9.81f), 5f, 16f);
+    /// <summary>It took 14, three quarters of which it only lay.</summary>
+    [Fact]
+    public void Who_lies_on_its_belly_already_stands_sooner()
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(11200002, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        Assert.InRange(SecondsToRise(profile) / MathF.Sqrt(profile.LegLength / 9.81f), 5f, 11f);
     }
 
     /// <summary>Who has been limp for six seconds.</summary>
@@ -277,6 +276,20 @@ public sealed class GettingUpTests
         }
 
         return animator;
+    }
+
+    private static float SecondsToRise(MotionProfile profile)
+    {
+        CreatureAnimator animator = Lying(profile);
+        animator.GetUp();
+        int frames = 0;
+        while (animator.State != BodyState.Supported && frames < 3000)
+        {
+            animator.Update(Frame, default, FlatGround.Level);
+            frames++;
+        }
+
+        return frames * Frame;
     }
 
     /// <summary>Mean height of the joints of the trunk, metres.</summary>

@@ -27,6 +27,9 @@ internal sealed class ActBody
     /// <summary>Length of a tail that sweeps, parts of the trunk's.</summary>
     private const float LongTailFraction = 0.5f;
 
+    /// <summary>How far the chest goes ahead of the fore legs' hips and behind them, leg lengths.</summary>
+    private const float ChestLength = 0.3f;
+
     public ActBody(MotionSubject subject, LeggedBody? legs)
     {
         Subject = subject;
@@ -48,6 +51,7 @@ internal sealed class ActBody
         Size = SizeOf();
         Unit = legs?.LegLength ?? Size / LegsPerBody;
         Depth = legs == null ? 0f : Math.Max(0f, Skeleton.ModelPositions[Body].Y - legs.BellyHeight);
+        ChestHeight = legs == null ? 0f : ChestOf(subject, legs);
         if (legs != null)
         {
             ForeFeet = Pair(legs, legs.Rows - 1);
@@ -91,6 +95,9 @@ internal sealed class ActBody
     public int Body { get; }
 
     public float Depth { get; }
+
+    /// <summary>How high the lowest point of the chest between the fore legs stands, metres: not below the belly's lowest; 0 without legs.</summary>
+    public float ChestHeight { get; }
 
     /// <summary>Joints from pelvis to chest, the chest with them.</summary>
     public int[] Spine { get; }
@@ -177,6 +184,25 @@ internal sealed class ActBody
     }
 
     private (int Left, int Right) BallsOf((int Left, int Right) feet) => (feet.Left < 0 ? -1 : Legs!.Legs[feet.Left].Ball, feet.Right < 0 ? -1 : Legs!.Legs[feet.Right].Ball);
+
+    private static float ChestOf(MotionSubject subject, LeggedBody legs)
+    {
+        float hips = 0f;
+        foreach (LegRig leg in legs.Legs)
+        {
+            hips = leg.Row == legs.Rows - 1 ? subject.Skeleton.ModelPositions[leg.Hip].Z : hips;
+        }
+
+        float lowest = float.MaxValue;
+        ReadOnlySpan<Vector3> positions = subject.Mesh.Positions;
+        for (int v = 0; v < positions.Length; v++)
+        {
+            bool isTrunk = Array.IndexOf(legs.Trunk, subject.Mesh.Weights[v].Joint0) >= 0;
+            lowest = isTrunk && Math.Abs(positions[v].Z - hips) < ChestLength * legs.LegLength ? Math.Min(lowest, positions[v].Y) : lowest;
+        }
+
+        return lowest == float.MaxValue ? legs.BellyHeight : Math.Max(lowest, legs.BellyHeight);
+    }
 
     private static BodyBuild BuildOf(MotionSubject subject, LeggedBody? legs)
     {

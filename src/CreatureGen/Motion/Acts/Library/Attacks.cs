@@ -31,13 +31,8 @@ internal static class Attacks
             new ActPhase("wrench", 3f).To(Pitch, 0.15f).With(new ActWave(NeckSide, 0.25f, 2f)).With(new ActWave(HeadRoll, 0.25f, 2f)).With(new ActWave(Roll, 0.25f, 2f, 0.2f)),
             new ActPhase("recover", 6f).To(Reach, 0f).To(Pitch, 0f).To(HeadPitch, 0f).To(TailPitch, 0f))
             .Needing(ActNeeds.Jaw).With(ActTool.Mouth).For(BodyBuild.Airborne),
-        new Act("Bite", ActKind.Strike,
-            new ActPhase("draw", 1.4f).To(Ahead, -0.18f).To(ForeDown, 0.10f).To(HindDown, 0.08f).To(NeckPitch, 0.35f).To(Jaw, 0.25f).To(Ears, 0.6f).To(TailPitch, 0.2f).AtLeast(Seen).Then(ActMark.Commit),
-            new ActPhase("strike", 0.55f, ActEase.In).To(Ahead, 0.04f).To(NeckPitch, 0f).To(Jaw, 1f).To(Reach, 0.85f),
-            new ActPhase("shut", 0.22f, ActEase.Out).To(Jaw, 0.1f).To(Reach, 1f).Then(ActMark.Contact),
-            new ActPhase("wrench", 1.5f).With(new ActWave(BackSide, 0.12f, 1.5f)).With(new ActWave(HeadRoll, 0.25f, 1.5f)),
-            new ActPhase("recover", 2.0f).To(Reach, 0f).To(Ahead, 0f).To(ForeDown, 0f).To(HindDown, 0f).To(Jaw, 0f).To(Ears, 0f).To(TailPitch, 0f))
-            .Needing(ActNeeds.Head).With(ActTool.Mouth, 0.15f).For(BodyBuild.Standing),
+        BiteOnLegs(new ActPhase("wrench", 1.5f).With(new ActWave(BackSide, 0.12f, 1.5f)).With(new ActWave(HeadRoll, 0.25f, 1.5f))).For(BodyBuild.Standing),
+        BiteOnLegs(new ActPhase("wrench", 1.5f).With(new ActWave(HeadSide, 0.2f, 1.5f)).With(new ActWave(HeadRoll, 0.35f, 1.5f))).For(BodyBuild.ManyLegged | BodyBuild.Sprawling),
         new Act("Gore", ActKind.Strike,
             new ActPhase("lower", 1.6f).To(Ahead, -0.22f).To(ForeDown, 0.18f).To(NeckPitch, -0.45f).To(HeadPitch, -0.35f).To(Ears, 0.8f).To(TailPitch, 0.4f).AtLeast(Seen).Then(ActMark.Commit),
             new ActPhase("strike", 0.6f, ActEase.In).To(Ahead, 0.05f).To(Reach, 0.8f),
@@ -103,6 +98,15 @@ internal static class Attacks
             new ActPhase("recover", 2.6f).To(Yaw, 0f).To(BackSide, 0f).To(TailSide, 0f).To(TailPitch, 0f).To(TailCurl, 0f).To(HindDown, 0f).To(Aside, 0f).To(Roll, 0f).To(NeckSide, 0f).To(HeadSide, 0f).To(Jaw, 0f).To(Ears, 0f))
             .Needing(ActNeeds.LongTail | ActNeeds.Legs).For(BodyBuild.Standing).OnTheSpot(),
     };
+
+    /// <summary>Drawn back over the feet, struck out, and wrenched to and fro: by the back, or by the head alone where low legs, or many, leave that no room.</summary>
+    private static Act BiteOnLegs(ActPhase wrench) => new Act("Bite", ActKind.Strike,
+        new ActPhase("draw", 1.4f).To(Ahead, -0.18f).To(ForeDown, 0.10f).To(HindDown, 0.08f).To(NeckPitch, 0.35f).To(Jaw, 0.25f).To(Ears, 0.6f).To(TailPitch, 0.2f).AtLeast(Seen).Then(ActMark.Commit),
+        new ActPhase("strike", 0.55f, ActEase.In).To(Ahead, 0.04f).To(NeckPitch, 0f).To(Jaw, 1f).To(Reach, 0.85f),
+        new ActPhase("shut", 0.22f, ActEase.Out).To(Jaw, 0.1f).To(Reach, 1f).Then(ActMark.Contact),
+        wrench,
+        new ActPhase("recover", 2.0f).To(Reach, 0f).To(Ahead, 0f).To(ForeDown, 0f).To(HindDown, 0f).To(Jaw, 0f).To(Ears, 0f).To(TailPitch, 0f))
+        .Needing(ActNeeds.Head).With(ActTool.Mouth, 0.15f);
 
     /// <summary>As scorpions do: the tail rolled up over a body that crouches, and struck out ahead.</summary>
     private static Act OverBack() => new Act("Sting", ActKind.Strike,

@@ -18,7 +18,15 @@ internal static class Dances
         new ActPhase("sway", 14f)
             .With(new ActWave(NeckSide, 0.5f, 4f)).With(new ActWave(HeadSide, 0.3f, 4f, 0.2f)).With(new ActWave(BackSide, 0.4f, 4f)).With(new ActWave(Roll, 0.35f, 4f, 0.15f))
             .With(new ActWave(Pitch, 0.2f, 8f)).With(new ActWave(Wings, 0.4f, 8f)).With(new ActWave(NeckPitch, 0.15f, 8f, 0.25f)),
-        new ActPhase("sink", 2f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(Wings, 0f)).For(BodyBuild.Swimming | BodyBuild.Legless);
+        new ActPhase("sink", 2f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(Wings, 0f)).For(BodyBuild.Swimming);
+
+    /// <summary>A crawler's, which lies on the ground: reared up it swings its head from side to side over its coils, higher at each end, and bows.</summary>
+    public static readonly Act OfCrawlers = new Act("Dance", ActKind.Display,
+        new ActPhase("rear", 2.2f).To(NeckPitch, 1f).To(HeadPitch, -0.8f),
+        new ActPhase("sway", 14f)
+            .With(new ActWave(NeckSide, 0.55f, 4f)).With(new ActWave(HeadSide, -0.3f, 4f, 0.2f)).With(new ActWave(HeadRoll, 0.25f, 4f, 0.1f)).With(new ActWave(NeckPitch, 0.16f, 8f, 0.25f)).With(new ActWave(TailSide, 0.3f, 4f, 0.4f)),
+        new ActPhase("bow", 2f).To(NeckPitch, 0.2f).To(HeadPitch, -0.4f),
+        new ActPhase("sink", 2f).To(NeckPitch, 0f).To(HeadPitch, 0f)).Needing(ActNeeds.Head).For(BodyBuild.Legless);
 
     /// <summary>On the wing: from bank to bank, swinging aside and up into each and stooping between them, with neck and tail across.</summary>
     public static readonly Act OfFliers = new Act("Dance", ActKind.Display,

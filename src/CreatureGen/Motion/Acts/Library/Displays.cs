@@ -38,6 +38,13 @@ internal static class Displays
             new ActPhase("recover", 1.6f).To(Ahead, 0f).To(NeckPitch, 0f).To(Ears, 0f).To(TailPitch, 0f).To(Wings, 0f).To(ArmsOut, 0f).To(ArmsAhead, 0f).To(ArmsBend, 0f))
             .Needing(ActNeeds.FourLegs).For(BodyBuild.ManyLegged | BodyBuild.Sprawling).OnTheSpot(),
         new Act("Threaten", ActKind.Display,
+            new ActPhase("gather", 1.4f).To(ForeDown, 0.15f).To(HindDown, 0.15f).To(Ahead, -0.1f).To(Ears, 0.9f),
+            new ActPhase("rise", 1.6f).To(ForeDown, -0.1f).To(HindDown, 0.1f).To(Ahead, 0.05f).To(ForeFeetUp, 0.45f).To(ForeFeetAhead, 0.25f).To(ForeFeetOut, 0.2f).To(NeckPitch, 0.6f).To(HeadPitch, 0.2f).To(Jaw, 0.9f).To(TailPitch, 0.8f).To(TailCurl, 0.5f).To(Wings, 0.8f),
+            new ActPhase("show", 5f).With(new ActWave(ForeFootUp, 0.12f, 3f)).With(new ActWave(NeckSide, 0.25f, 2f)).With(new ActWave(HeadSide, 0.2f, 2f, 0.1f)).With(new ActWave(TailSide, 0.5f, 2f, 0.3f)),
+            new ActPhase("drop", 1.8f).To(ForeFeetUp, 0f).To(ForeFeetAhead, 0f).To(ForeFeetOut, 0f).To(ForeDown, 0f).To(HindDown, 0f).To(Jaw, 0f),
+            new ActPhase("recover", 1.6f).To(Ahead, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(Ears, 0f).To(TailPitch, 0f).To(TailCurl, 0f).To(Wings, 0f))
+            .Needing(ActNeeds.FourLegs).For(BodyBuild.ManyLegged).OnTheSpot(),
+        new Act("Threaten", ActKind.Display,
             new ActPhase("rise", 1.6f).To(HindDown, 0.1f).To(Pitch, 0.3f).To(NeckPitch, 0.1f).To(Ears, 0.9f).To(Wings, 0.9f).To(ArmsOut, 0.9f).To(ArmsAhead, 0.5f).To(ArmsBend, 0.6f).To(TailPitch, -0.15f),
             new ActPhase("show", 6f).To(Jaw, 0.9f).To(Ahead, 0.08f).With(new ActWave(NeckSide, 0.2f, 2f)).With(new ActWave(Roll, 0.04f, 2f, 0.1f)).With(new ActWave(Wings, 0.1f, 6f)),
             new ActPhase("recover", 2.4f).To(HindDown, 0f).To(Pitch, 0f).To(NeckPitch, 0f).To(Ahead, 0f).To(Jaw, 0f).To(Ears, 0f).To(Wings, 0f).To(ArmsOut, 0f).To(ArmsAhead, 0f).To(ArmsBend, 0f).To(TailPitch, 0f))
@@ -66,6 +73,7 @@ internal static class Displays
         Dances.OfLegs,
         Dances.OfFliers,
         Dances.OfOthers,
+        Dances.OfCrawlers,
         Flinches.OfManyLegs,
         Flinches.OfTwoLegs,
         Flinches.OfOthers,

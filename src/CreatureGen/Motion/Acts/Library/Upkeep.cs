@@ -65,6 +65,14 @@ internal static class Upkeep
             new ActPhase("back", 2.2f).To(Reach, 0f).To(Ears, 0f).To(TailPitch, 0f))
             .Needing(ActNeeds.Head).With(ActTool.Mouth, 0.4f),
         new Act("Shake", ActKind.Upkeep,
+            new ActPhase("crouch", 1.2f).To(ForeDown, 0.2f).To(HindDown, 0.2f).To(NeckPitch, -0.3f).To(TailPitch, 0.35f).To(Ears, 0.3f).To(Lids, 1f),
+            new ActPhase("shake", 7f).To(ForeDown, 0f).To(HindDown, 0f)
+                .With(new ActWave(Roll, 0.1f, 6f)).With(new ActWave(BackTwist, 0.1f, 6f, 0.14f)).With(new ActWave(HeadRoll, 0.5f, 6f, 0.8f)).With(new ActWave(NeckSide, 0.35f, 6f, 0.9f)).With(new ActWave(HeadSide, 0.2f, 6f, 0.9f))
+                .With(new ActWave(TailSide, 1.1f, 6f, 0.35f)).With(new ActWave(TailPitch, 0.22f, 12f, 0.35f)).With(new ActWave(Ears, 0.9f, 6f, 0.1f)).With(new ActWave(ArmsOut, 0.16f, 6f, 0.1f)).With(new ActWave(Wings, 0.3f, 6f, 0.2f)),
+            new ActPhase("stretch", 1.2f).To(NeckPitch, 0.3f).To(HeadPitch, 0.1f).To(Ears, -0.3f).To(Lids, 0f),
+            new ActPhase("recover", 1.8f).To(ForeDown, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(TailPitch, 0f).To(Ears, 0f))
+            .Needing(ActNeeds.Head).For(BodyBuild.Sprawling | BodyBuild.ManyLegged).OnTheSpot(),
+        new Act("Shake", ActKind.Upkeep,
             new ActPhase("brace", 1.2f).To(ForeDown, 0.08f).To(HindDown, 0.06f).To(NeckPitch, -0.45f).To(HeadPitch, -0.1f).To(TailPitch, 0.25f).To(Ears, 0.3f).To(Lids, 1f),
             new ActPhase("shake", 7f)
                 .With(new ActWave(HeadRoll, 0.45f, 6f)).With(new ActWave(HeadSide, 0.2f, 6f, 0.1f)).With(new ActWave(NeckTwist, 0.55f, 6f)).With(new ActWave(NeckSide, 0.22f, 6f, 0.06f)).With(new ActWave(BackTwist, 0.22f, 6f, 0.14f)).With(new ActWave(Roll, 0.05f, 6f, 0.2f))

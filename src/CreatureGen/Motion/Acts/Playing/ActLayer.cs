@@ -72,7 +72,10 @@ internal sealed class ActLayer
         float stretched = body.Build == BodyBuild.Upright ? Scalar.Clamp(values[(int)ActChannel.ForeFold], 0f, 1f) : 0f;
         Trunk.Pitch = values[(int)ActChannel.Pitch] - bow - (stretched * folded.Tip);
         Trunk.Roll = side * values[(int)ActChannel.Roll];
-        Trunk.ForeDown = (body.Legs.IsBiped ? hind : fore) * belly;
+
+        // Folded legs let the chest down to the ground by itself, be it higher than the belly or not.
+        float chest = Scalar.Lerp(belly, body.ChestHeight, Scalar.Clamp(values[(int)ActChannel.ForeFold], 0f, 1f));
+        Trunk.ForeDown = body.Legs.IsBiped ? hind * belly : fore * chest;
         Trunk.HindDown = hind * belly;
         Trunk.BackPitch = values[(int)ActChannel.BackPitch];
         Trunk.BackSide = side * values[(int)ActChannel.BackSide];

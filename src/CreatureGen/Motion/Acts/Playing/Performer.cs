@@ -229,6 +229,11 @@ internal sealed class Performer
                 KeepArmOffGround(ground, body.Arms[i].Joints[1], body.ArmSkins[i], ref armWays[i], local, model);
             }
         }
+        else if (body.Build == BodyBuild.Legless)
+        {
+            // A crawler lies on the ground as it is: what it bends down comes to lie there.
+            KeepOffGround(ground, body.Neck, body.HeadSkin, -1f, FeelerRounds, local, model);
+        }
 
         Bring(lastAim, player.LeftReach, root, carried, local, model);
         Bring(aim, player.Act == null ? values[(int)ActChannel.Reach] - player.LeftReach : player.OwnReach, root, carried, local, model);

@@ -1,0 +1,94 @@
+using System;
+using System.Linq;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Maths;
+using CreatureGen.Motion;
+using CreatureGen.Rigging;
+using CreatureGen.Sampling;
+using CreatureGen.Tests.Motion.Falling;
+using Xunit;
+
+namespace CreatureGen.Tests.Motion.Acts;
+
+/// <summary>Acts of bodies with legs out to the side, with many, and with none.</summary>
+public class LowBodyTests
+{
+    private const float Rate = 60f;
+
+    /// <summary>A trunk rolled and shifted over feet that stand leaves these no room: a frog did a third of it, and died on its feet.</summary>
+    [Theory]
+    [InlineData(11200012UL)]
+    [InlineData(11200002UL, Explicit = true)]
+    [InlineData(11200003UL, Explicit = true)]
+    public void Who_dies_on_low_legs_comes_down_with_chest_and_head(ulong seed)
+    {
+        CreatureAnimator animator = Performing(Strange(seed), "Die", out ActAbility die);
+        float stood = Height(animator, JointRole.Chest);
+        Walkers.Run(animator, die.SecondsToLast, Rate, default, FlatGround.Level);
+        Assert.Equal(1f, die.Gain);
+        Assert.InRange(Height(animator, JointRole.Chest) / stood, 0f, 0.72f);
+        Assert.InRange(Height(animator, JointRole.Head) / stood, 0f, 0.72f);
+        Assert.InRange(GettingUpTests.Lowest(animator), -0.01f * GettingUpTests.Extent(animator.Profile.Subject.Creature!), 1f);
+    }
+
+    /// <summary>It was let down by as much as its belly, which hangs lower.</summary>
+    [Theory]
+    [InlineData(11200012UL, 0.09f)]
+    [InlineData(11200072UL, 0.12f, Explicit = true)]
+    public void A_body_whose_back_slopes_lies_with_its_chest_on_the_ground_too(ulong seed, float legs)
+    {
+        CreatureAnimator animator = Performing(Strange(seed), "Lie", out ActAbility lie);
+        Walkers.Run(animator, lie.SecondsToLast, Rate, default, FlatGround.Level);
+        Skeleton skeleton = animator.Profile.Subject.Skeleton;
+        int chest = Enumerable.Range(0, skeleton.Count).First(j => skeleton.Joints[j].Role == JointRole.Chest);
+        Vector3[] skin = GettingUpTests.Skin(animator);
+        float lowest = Enumerable.Range(0, skin.Length).Where(v => animator.Profile.Subject.Mesh.Weights[v].Joint0 == chest).Min(v => skin[v].Y);
+        Assert.True(lowest < legs * animator.Profile.LegLength, $"its chest is {lowest / animator.Profile.LegLength} legs above the ground");
+    }
+
+    /// <summary>Bent or raised over all of them, a trunk with a dozen pairs of legs, or with short ones out to the side, drags its feet.</summary>
+    [Theory]
+    [InlineData(11200043UL, "Bite")]
+    [InlineData(11200043UL, "Threaten")]
+    [InlineData(11200086UL, "Bite", Explicit = true)]
+    public void Many_feet_do_not_keep_a_body_from_biting_and_threatening(ulong seed, string act) => Assert.Null(Strange(seed).Acts.Find(act).Refusal);
+
+    [Theory]
+    [InlineData(11200000UL)]
+    [InlineData(11200004UL, Explicit = true)]
+    public void A_crawler_dances(ulong seed) => Assert.Null(Crawler(seed).Acts.Find("Dance").Refusal);
+
+    /// <summary>They kept it as high as they carry it.</summary>
+    [Theory]
+    [InlineData(11200000UL, "Die")]
+    [InlineData(11200004UL, "Die", Explicit = true)]
+    public void A_crawler_lays_its_head_down_as_it_dies(ulong seed, string act)
+    {
+        CreatureAnimator animator = Performing(Crawler(seed), act, out ActAbility die);
+        float carried = Height(animator, JointRole.Head);
+        Walkers.Run(animator, die.SecondsToLast, Rate, default, FlatGround.Level);
+        Assert.InRange(Height(animator, JointRole.Head) / carried, 0f, 0.6f);
+        Assert.InRange(GettingUpTests.Lowest(animator), -0.015f * GettingUpTests.Extent(animator.Profile.Subject.Creature!), 1f);
+    }
+
+    private static MotionProfile Strange(ulong seed) => new(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+
+    private static MotionProfile Crawler(ulong seed) => new(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking, BodyPlans = BodyPlanWeight.Only(BodyPlan.Legless) }));
+
+    private static CreatureAnimator Performing(MotionProfile profile, string act, out ActAbility ability)
+    {
+        ability = profile.Acts.Find(act);
+        var animator = new CreatureAnimator(profile);
+        animator.Teleport(RootPlace.Identity, FlatGround.Level);
+        Assert.Equal(ActStatus.Started, animator.Perform(ability).Status);
+        return animator;
+    }
+
+    /// <summary>Mean height of the joints of a role.</summary>
+    private static float Height(CreatureAnimator animator, JointRole role)
+    {
+        Skeleton skeleton = animator.Profile.Subject.Skeleton;
+        return Enumerable.Range(0, skeleton.Count).Where(j => skeleton.Joints[j].Role == role).Average(j => animator.ModelPose.Positions[j].Y);
+    }
+}
