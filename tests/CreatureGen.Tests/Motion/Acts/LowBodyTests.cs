@@ -34,17 +34,15 @@ public class LowBodyTests
 
     /// <summary>It was let down by as much as its belly, which hangs lower.</summary>
     [Theory]
-    [InlineData(11200012UL, 0.09f)]
-    [InlineData(11200072UL, 0.12f, Explicit = true)]
-    public void A_body_whose_back_slopes_lies_with_its_chest_on_the_ground_too(ulong seed, float legs)
+    [InlineData(11200012UL)]
+    [InlineData(11200072UL, Explicit = true)]
+    public void A_body_whose_back_slopes_lets_its_chest_down_farther_than_its_belly(ulong seed)
     {
         CreatureAnimator animator = Performing(Strange(seed), "Lie", out ActAbility lie);
+        float stood = Lowest(animator, "Chest");
         Walkers.Run(animator, lie.SecondsToLast, Rate, default, FlatGround.Level);
-        Skeleton skeleton = animator.Profile.Subject.Skeleton;
-        int chest = Enumerable.Range(0, skeleton.Count).First(j => skeleton.Joints[j].Role == JointRole.Chest);
-        Vector3[] skin = GettingUpTests.Skin(animator);
-        float lowest = Enumerable.Range(0, skin.Length).Where(v => animator.Profile.Subject.Mesh.Weights[v].Joint0 == chest).Min(v => skin[v].Y);
-        Assert.True(lowest < legs * animator.Profile.LegLength, $"its chest is {lowest / animator.Profile.LegLength} legs above the ground");
+        float down = (stood - Lowest(animator, "Chest")) / animator.Profile.Acts.Body.Legs!.BellyHeight;
+        Assert.True(down > 1.05f, $"its chest came down by {down} of the height of its belly");
     }
 
     /// <summary>Bent or raised over all of them, a trunk with a dozen pairs of legs, or with short ones out to the side, drags its feet.</summary>
@@ -65,10 +63,14 @@ public class LowBodyTests
     [InlineData(11200004UL, "Die", Explicit = true)]
     public void A_crawler_lays_its_head_down_as_it_dies(ulong seed, string act)
     {
-        CreatureAnimator animator = Performing(Crawler(seed), act, out ActAbility die);
-        float carried = Height(animator, JointRole.Head);
+        MotionProfile profile = Crawler(seed);
+        var awake = new CreatureAnimator(profile);
+        awake.Teleport(RootPlace.Identity, FlatGround.Level);
+        Walkers.Run(awake, 1f, Rate, default, FlatGround.Level);
+        float carried = Height(awake, JointRole.Head);
+        CreatureAnimator animator = Performing(profile, act, out ActAbility die);
         Walkers.Run(animator, die.SecondsToLast, Rate, default, FlatGround.Level);
-        Assert.InRange(Height(animator, JointRole.Head) / carried, 0f, 0.6f);
+        Assert.InRange(Height(animator, JointRole.Head) / carried, 0f, 0.8f);
         Assert.InRange(GettingUpTests.Lowest(animator), -0.015f * GettingUpTests.Extent(animator.Profile.Subject.Creature!), 1f);
     }
 
@@ -83,6 +85,14 @@ public class LowBodyTests
         animator.Teleport(RootPlace.Identity, FlatGround.Level);
         Assert.Equal(ActStatus.Started, animator.Perform(ability).Status);
         return animator;
+    }
+
+    /// <summary>Height of the lowest skin that a joint moves most.</summary>
+    private static float Lowest(CreatureAnimator animator, string joint)
+    {
+        int index = animator.Profile.Subject.Skeleton.IndexOf(joint);
+        Vector3[] skin = GettingUpTests.Skin(animator);
+        return Enumerable.Range(0, skin.Length).Where(v => animator.Profile.Subject.Mesh.Weights[v].Joint0 == index).Min(v => skin[v].Y);
     }
 
     /// <summary>Mean height of the joints of a role.</summary>
