@@ -20,7 +20,7 @@ public sealed class BlueprintReadingTests
     [InlineData("\"scale\": 1.25", "\"scale\": {}", "scale = an object; expected 0.05..20 (line 7, column 12)")]
     [InlineData("\"scale\": 1.25", "\"scale\": true", "scale = true; expected 0.05..20 (line 7, column 12)")]
     [InlineData("\"scale\": 1.25,", "", "scale = nothing; expected 0.05..20 (line 1, column 1)")]
-    [InlineData("\"scale\": 1.25", "\"scale\": 1.25, \"size\": 2", "size = 2; expected no field of this name; there are version, algorithm, seed, kind, plan, scale, triangleBudget, body, head, tail, legs, wings, insectWings, fins, ears, features, manes, frills, coat, lineage (line 7, column 26)")]
+    [InlineData("\"scale\": 1.25", "\"scale\": 1.25, \"size\": 2", "size = 2; expected no field of this name; there are version, algorithm, seed, kind, plan, scale, triangleBudget, body, head, tail, legs, wings, insectWings, fins, ears, features, manes, frills, coat, lineage, fork (line 7, column 26)")]
     [InlineData("\"kind\": \"flying\"", "\"kind\": \"Flying\"", "kind = \"Flying\"; expected one of walking, flying, swimming (line 5, column 11)")]
     [InlineData("\"kind\": \"flying\"", "\"kind\": 1", "kind = 1; expected one of walking, flying, swimming (line 5, column 11)")]
     [InlineData("\"kind\": \"flying\",", "", "kind = nothing; expected one of walking, flying, swimming (line 1, column 1)")]

@@ -25,7 +25,7 @@ public sealed class HeadFitTests
     /// <summary>Broadest head in breadths of its trunk: what the posture leaves of the rule's 1.15.</summary>
     private const double Broadest = 1.25;
 
-    /// <summary>Most that a face falls away ahead of its brow, degrees: what the bend of the nape leaves of the rule's 12.</summary>
+    /// <summary>Most that a face falls away ahead of its brow, degrees: what the bend of the nape leaves of the rule's 11.5, and how single animals differ.</summary>
     private const double SteepestFace = 26;
 
     [Fact]

@@ -12,15 +12,12 @@ namespace CreatureGen.Sampling.Shapes;
 internal static class FaceFit
 {
     // Most that a face falls away ahead of its brow, degrees: that of a swimmer, as those of swimming animals do, for one that hangs as on a neck over land turns its forehead to the water; that of another body on an insect, whose own looks down; and that of another body on any other.
-    private const double SteepestFace = 12;
+    private const double SteepestFace = 11.5;
     private const double SteepestOnInsect = 20;
     private const double SteepestOfAnother = 30;
 
     /// <summary>Most that a face is held up, degrees: one that is raised on a neck shows its throat and no eyes.</summary>
     private const double HighestFace = 3;
-
-    /// <summary>The part of what a face still falls too much that the neck is raised by.</summary>
-    private const double NeckRises = 0.25;
 
     // Shortest face of another body on a swimmer, from the nose to the brow in heights of the brow, and most that its snout is longer for it: a shorter one is the sawn end of a log.
     private const double Shortest = 0.85;
@@ -49,17 +46,15 @@ internal static class FaceFit
         double raised = Math.Max(0, fall - Scalar.Radians(steepest));
         double lowered = Math.Max(0, -fall - Scalar.Radians(HighestFace));
         BodyPosture level = drawn with { Head = drawn.Head + (builder.Fitting * (raised - lowered)) };
-        if (lowered + raised == 0)
+        if (lowered == 0)
         {
             return level;
         }
 
-        // On a steep neck the nape does not bend as far as that: the neck is laid down by the rest, or raised by a part of it.
+        // On a steep neck the nape does not bend as far as that: the neck is laid down by the rest.
         builder.Posture = level;
-        double left = Fall(builder);
-        double up = NeckRises * Math.Max(0, left - Scalar.Radians(steepest));
-        double down = Math.Max(0, -left - Scalar.Radians(HighestFace));
-        return level with { Neck = level.Neck + (builder.Fitting * (up - down)) };
+        double still = Math.Max(0, -Fall(builder) - Scalar.Radians(HighestFace));
+        return level with { Neck = level.Neck - (builder.Fitting * still) };
     }
 
     /// <summary>How far the face falls away ahead of its brow, radians.</summary>

@@ -24,7 +24,7 @@ public sealed class ClipRecipeTests
     [Theory]
     [InlineData("feline", RequestedKind.Walking, "Idle Walk Trot Canter TurnLeft TurnRight StrafeLeft StrafeRight Reverse LookAround Start Stop Jump Fall Land", "Bite Claw Kick TailSweep Eat Drink Sniff Shake Scratch Groom Call Threaten Submit Dance Flinch Sit Lie Sleep Die")]
     [InlineData("frog", RequestedKind.Walking, "Idle Crawl Leap TurnLeft TurnRight StrafeLeft StrafeRight Reverse LookAround Start Stop Jump Fall Land", "Bite Claw TailSweep Eat Drink Sniff Shake Groom Call Threaten Submit Dance Flinch Lie Sleep Die")]
-    [InlineData("cobra", RequestedKind.Walking, "Idle Slither Sidewind Rectilinear TurnLeft TurnRight LookAround Start Stop", "Bite Eat Sniff Call Threaten Submit Flinch Sleep Die")]
+    [InlineData("cobra", RequestedKind.Walking, "Idle Slither Sidewind Rectilinear TurnLeft TurnRight LookAround Start Stop", "Bite Eat Sniff Call Threaten Submit Dance Flinch Sleep Die")]
     [InlineData("raptor", RequestedKind.Flying, "Idle Walk Run Fly Hover TakeOff Land TurnLeft TurnRight StrafeLeft StrafeRight Reverse LookAround BankLeft BankRight Glide Start Stop Jump Dart", "Bite Kick TailSweep Eat Drink Sniff Shake Groom Call Threaten Submit Dance Flinch Lie Sleep Die")]
     [InlineData("bee", RequestedKind.Flying, "Idle Wave Tripod Fly Hover TakeOff Land TurnLeft TurnRight StrafeLeft StrafeRight Reverse LookAround BankLeft BankRight Start Stop Jump Dart", "Bite Claw Sting TailSweep Eat Drink Sniff Shake Groom Threaten Submit Dance Flinch Lie Sleep Die")]
     [InlineData("fish", RequestedKind.Swimming, "Idle Swim TurnLeft TurnRight LookAround Start Stop Dart", "Bite Eat Sniff Call Threaten Submit Dance Flinch Sleep Die")]
@@ -179,8 +179,11 @@ public sealed class ClipRecipeTests
         SkinnedModel few = Written(creature, GltfOptions.Default with { Clips = clips });
         for (int i = 0; i < clips.Count; i++)
         {
-            Assert.True(ClipError.Between(clips[i], all.Clips[i], creature.Skeleton, clips[i].Frames).Worst < 1e-6f, clips[i].Name);
-            Assert.True(ClipError.Between(clips[i], few.Clips[i], creature.Skeleton, clips[i].Frames).P99 <= 1e-4f, clips[i].Name);
+            // A paw goes so far in the rounding of a moment in single precision.
+            float rounded = ClipError.Between(clips[i], all.Clips[i], creature.Skeleton, clips[i].Frames).Worst;
+            Assert.True(rounded < 2e-6f, $"{clips[i].Name}: {rounded} m");
+            float apart = ClipError.Between(clips[i], few.Clips[i], creature.Skeleton, clips[i].Frames).P99;
+            Assert.True(apart <= 1e-4f, $"{clips[i].Name}: {apart} m");
         }
 
         Assert.True(Bytes(creature, GltfOptions.Default with { Clips = clips }) < Bytes(creature, GltfOptions.Default with { Clips = clips, ClipPrecision = null }));
