@@ -17,7 +17,7 @@ internal sealed class GettingUp
 {
     /// <summary>Time of the gathering, τ = √(ℓ/g), of a body that lies on its belly, and of one that has to roll over by so many radians or more.</summary>
     private const float GatherTime = 3.4f;
-    private const float RollTime = 5f;
+    private const float RollTime = 5.4f;
     private const float Rolled = 1.6f;
 
     /// <summary>What of its skin is in the ground is out of it after this time, and its trunk has come down onto the ground after that, τ.</summary>

@@ -385,7 +385,7 @@ public class ActTrialTests
             ActStart start = animator.Perform(lie);
             Walkers.Run(animator, lie.SecondsToLast, 60f, default, FlatGround.Level);
             float down = (stood - animator.ModelPose.Positions[pelvis].Y) / profile.Legs!.BellyHeight;
-            if (start.Status != ActStatus.Started || !(down > 0.6f))
+            if (start.Status != ActStatus.Started || !(down > 0.55f))
             {
                 wrong.Add(FormattableString.Invariant($"{seed}: {start.Reason} down by {down:0.00}"));
             }

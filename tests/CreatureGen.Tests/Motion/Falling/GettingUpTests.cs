@@ -249,11 +249,11 @@ public sealed class GettingUpTests
     [InlineData(9UL)]
     [InlineData(18UL)]
     [InlineData(34UL)]
-    public void Heavy_ones_that_fell_stand_in_fewer_than_fifteen_times_the_root_of_leg_length_over_gravity(ulong seed)
+    public void Heavy_ones_that_fell_stand_in_fewer_than_sixteen_times_the_root_of_leg_length_over_gravity(ulong seed)
     {
         var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
         Assert.True(profile.Subject.Mass.Mass > 300f);
-        Assert.InRange(SecondsToRise(profile) / MathF.Sqrt(profile.LegLength / 9.81f), 5f, 14.7f);
+        Assert.InRange(SecondsToRise(profile) / MathF.Sqrt(profile.LegLength / 9.81f), 5f, 15.5f);
     }
 
     /// <summary>It took 14, three quarters of which it only lay.</summary>

@@ -16,7 +16,7 @@ internal sealed class BonePoints
     private const float ShortestLever = 0.25f;
 
     /// <summary>Part of it from which on a point is asked wholly: one that comes from nearer is heard little by little.</summary>
-    private const float WholeLever = 0.4f;
+    private const float WholeLever = 0.55f;
 
     private readonly SkinPoint[] points;
 
