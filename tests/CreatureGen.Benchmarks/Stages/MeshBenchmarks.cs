@@ -1,5 +1,6 @@
 using BenchmarkDotNet.Attributes;
 using CreatureGen.Creatures;
+using CreatureGen.Creatures.Forks;
 using CreatureGen.Geometry;
 
 namespace CreatureGen.Benchmarks.Stages;
@@ -9,7 +10,7 @@ public class MeshBenchmarks : StageBenchmark
 {
     /// <summary>Texture charts, split vertices, pieces, parts.</summary>
     [Benchmark]
-    public object Assemble() => MeshAssembler.Assemble(Subject.Grown.Surface, Subject.Normals, Subject.Normals, Subject.Weights, Subject.Pieces, Subject.Rig, 1f);
+    public object Assemble() => MeshAssembler.Assemble(new Body(Subject.Grown.Surface, Subject.Normals, Subject.Normals, Subject.Weights, Subject.Pieces, Subject.Rig), 1f);
 
     /// <summary>Volume, centre and inertia of the surface.</summary>
     [Benchmark]
