@@ -81,13 +81,13 @@ internal static class TrunkFit
 
     // Deepest section of a swimmer that is no fish in its breadths, and what of the excess the depth and the breadth give way by: a deeper one is a plank on its edge.
     private const double Edgewise = 1.3;
-    private const double EdgeShallower = 0.5;
-    private const double EdgeBroader = 0.4;
+    private const double EdgeShallower = 0.4;
+    private const double EdgeBroader = 0.3;
 
     // Broadest section of a swimmer in its depths, and what of the excess the depth and the breadth give way by: a broader one is a plank. Shells are as flat as they are.
     private const double Flattest = 1.5;
-    private const double FlatDeepened = 0.5;
-    private const double FlatNarrowed = 0.35;
+    private const double FlatDeepened = 0.4;
+    private const double FlatNarrowed = 0.25;
 
     // A swimmer's largest hips against its belly, least and most of its tail's stem against its hips and belly, and most that the tail's girth changes by for it.
     private const double Hips = 0.6;
