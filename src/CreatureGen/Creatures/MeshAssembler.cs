@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Appearance;
-using CreatureGen.Creatures.Forks;
 using CreatureGen.Features;
 using CreatureGen.Geometry;
 using CreatureGen.Rigging;

@@ -1,6 +1,5 @@
 using BenchmarkDotNet.Attributes;
 using CreatureGen.Creatures;
-using CreatureGen.Creatures.Forks;
 using CreatureGen.Geometry;
 
 namespace CreatureGen.Benchmarks.Stages;

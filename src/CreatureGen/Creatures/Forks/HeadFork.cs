@@ -10,9 +10,6 @@ using CreatureGen.Skinning;
 
 namespace CreatureGen.Creatures.Forks;
 
-/// <summary>Skin, rig and pieces of a creature before they become its mesh.</summary>
-internal sealed record Body(Surface Surface, Vector3[] Normals, Vector3[] Colours, SkinWeights[] Weights, IReadOnlyList<Piece> Pieces, Rig Rig);
-
 /// <summary>Gives a finished body two necks with a head each: what was grown, rigged, skinned and coloured once is there twice in front of the fork, and nothing before this stage knows of it.</summary>
 internal static class HeadFork
 {
