@@ -113,10 +113,12 @@ public sealed class GaitSet
     internal static float FrequencyOf(Gait gait, float froude, float legLength, float gravity, float longestStance, float quickest)
     {
         float fr = Math.Max(froude, SlowestFraction * gait.Comfortable);
-        float stride = legLength * gait.Stride.At(fr);
-        stride = Math.Max(Math.Min(stride, longestStance / gait.Duty.At(froude)), ShortestFraction * stride);
+        float free = legLength * gait.Stride.At(fr);
+        float stride = Math.Max(Math.Min(free, longestStance / gait.Duty.At(froude)), ShortestFraction * free);
         float unit = gravity * legLength;
-        float frequency = (float)Math.Sqrt(fr * unit) / stride;
+
+        // Legs that cannot stride out need not hurry before they go as fast as asks for it.
+        float frequency = Math.Max((float)Math.Sqrt(fr * unit) / free, (float)Math.Sqrt(froude * unit) / stride);
         return frequency <= quickest ? frequency : Math.Max(quickest, (float)Math.Sqrt(froude * unit) / stride);
     }
 

@@ -114,7 +114,7 @@ internal sealed class GaitClock
     /// <param name="gravity">Metres of the model per second squared.</param>
     public float TrailIn(float gravity)
     {
-        float swing = (1f - Duty) * Cycle * (float)Math.Sqrt(gravity / body.LegLength);
+        float swing = (1f - Duty) / Math.Max(Tempo, 0.1f) * (float)Math.Sqrt(gravity / body.LegLength);
         return Shape.Trail * Scalar.Smooth((swing - HurriedSwing) / (UnhurriedSwing - HurriedSwing));
     }
 
