@@ -22,14 +22,14 @@ internal sealed class LegPath
     private const float Bow = 0.25f;
 
     /// <summary>Share of the way from below its hip to where both feet just clear each other that the foot of a tall long-toed leg is set in.</summary>
-    private const float Narrowing = 0.8f;
+    private const float Narrowing = 0.9f;
 
     /// <summary>Share of the way out from its hip to its thigh that a tall long-toed leg gives up.</summary>
     private const float Gathering = 0.8f;
 
     // Height of a hip in distances of the foot from the sagittal plane: from the first on a leg is tall, at the second it is fully so.
-    private const float Tall = 3.6f;
-    private const float Tallest = 5f;
+    private const float Tall = 2.8f;
+    private const float Tallest = 4.2f;
 
     /// <summary>Metres between the toes of two feet and the sagittal plane.</summary>
     private const float FootGap = 0.02f;

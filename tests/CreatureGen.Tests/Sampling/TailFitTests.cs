@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using CreatureGen.Anatomy;
 using CreatureGen.Anatomy.Tails;
@@ -15,6 +16,14 @@ namespace CreatureGen.Tests.Sampling;
 
 public sealed class TailFitTests
 {
+    private const ulong First = 12700001;
+    private const int Count = 120;
+
+    /// <summary>Thickest abdomen in trunks, how high the end of a tail that rolls up is over its root in lengths of it (.89 without the rule), and least fall of a flier's tail for each unit that it goes back.</summary>
+    private const double ThickestAbdomen = 0.95;
+    private const double HighestRolled = 0.4;
+    private const double LeastFlown = 0.05;
+
     private static readonly ValueList<LatticeSlice> even = new(Enumerable.Repeat(new LatticeSlice(1, 1, 1), 11));
 
     [Fact]
@@ -157,6 +166,64 @@ public sealed class TailFitTests
     }
 
     [Fact]
+    public void The_abdomen_of_a_mixed_insect_is_no_thicker_than_its_trunk()
+    {
+        int abdomens = 0;
+        foreach ((CreatureBlueprint creature, BodyShape shape) in Drawn(RequestedKind.Flying))
+        {
+            if (SpeciesCatalogue.Find(creature.Body.Blend.Bodies[0].Name).Class == AnimalClass.Arthropod && creature.Tail.Style == TailStyle.Plain)
+            {
+                double size = Largest(shape, StationRing.TailStem, StationRing.TailTip) / Largest(shape, StationRing.WingRoot, StationRing.Pelvis);
+                Assert.True(size < ThickestAbdomen, FormattableString.Invariant($"{creature.Seed}: an abdomen of {size:0.00} trunks"));
+                abdomens++;
+            }
+        }
+
+        Assert.InRange(abdomens, 8, Count);
+    }
+
+    [Fact]
+    public void A_tail_that_rolls_up_is_no_rod_over_the_back()
+    {
+        int tails = 0;
+        foreach ((CreatureBlueprint creature, BodyShape shape) in Drawn(RequestedKind.Walking))
+        {
+            if (creature.Tail.Style == TailStyle.Prehensile && creature.Plan != BodyPlan.Upright)
+            {
+                double rise = shape.Y[StationRing.TailTip] - shape.Y[StationRing.TorsoLast];
+                double length = shape.Arc[StationRing.TailTip] - shape.Arc[StationRing.TorsoLast];
+                Assert.True(rise < HighestRolled * length, FormattableString.Invariant($"{creature.Seed} {creature.Plan}: a tail that rises by {rise / length:0.00} of its length"));
+                tails++;
+            }
+        }
+
+        Assert.InRange(tails, 3, Count);
+    }
+
+    [Fact]
+    public void Nine_of_ten_bare_tails_of_mixed_fliers_come_down_below_the_rump()
+    {
+        int tails = 0;
+        int level = 0;
+        foreach ((CreatureBlueprint creature, BodyShape shape) in Drawn(RequestedKind.Flying))
+        {
+            bool haired = creature.Manes.Any(mane => mane.Ring >= StationRing.TorsoLast);
+            if (creature.Plan == BodyPlan.Flapping && !haired && creature.Tail.Style is TailStyle.Plain or TailStyle.Saurian or TailStyle.Whip or TailStyle.Paddle
+                && SpeciesCatalogue.Find(creature.Body.Blend.Bodies[0].Name).Class != AnimalClass.Arthropod)
+            {
+                double down = shape.Y[StationRing.TorsoLast] - shape.Y[StationRing.TailTip];
+                double back = shape.Z[StationRing.TorsoLast] - shape.Z[StationRing.TailTip];
+                level += down > LeastFlown * back ? 0 : 1;
+                tails++;
+            }
+        }
+
+        // Those that would reach the ground are raised again.
+        Assert.InRange(tails, 20, Count);
+        Assert.True(10 * level <= tails, FormattableString.Invariant($"{level} of {tails} tails do not come down"));
+    }
+
+    [Fact]
     public void A_sting_is_no_longer_than_a_quarter_of_its_tail()
     {
         int stings = 0;
@@ -192,6 +259,27 @@ public sealed class TailFitTests
                 Assert.True(down <= back, FormattableString.Invariant($"{seed}: a tail that comes down by {down / back:0.00} of what it goes back"));
             }
         }
+    }
+
+    private static IEnumerable<(CreatureBlueprint Creature, BodyShape Shape)> Drawn(RequestedKind kind)
+    {
+        for (ulong seed = First; seed < First + Count; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = kind, Strangeness = 1 });
+            yield return (creature, BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail));
+        }
+    }
+
+    /// <summary>Radius of the largest section, metres.</summary>
+    private static double Largest(BodyShape shape, int first, int last)
+    {
+        double size = 0;
+        for (int ring = first; ring <= last; ring++)
+        {
+            size = Math.Max(size, Math.Sqrt(shape.Width[ring] * 0.5 * (shape.Top[ring] + shape.Bottom[ring])));
+        }
+
+        return size;
     }
 
     private static CreatureBuilder Mixed(string tail, double strangeness)

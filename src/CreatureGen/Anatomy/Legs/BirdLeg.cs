@@ -20,12 +20,12 @@ internal static class BirdLeg
             Rows = new LegSection[]
             {
                 new() { Forward = 0, Down = 0, Outward = 0, ForeRadius = 1000, SideRadius = 800 },
-                new() { Forward = 50, Down = 140, Outward = 70, ForeRadius = 960, SideRadius = 660 },
-                new() { Forward = 130, Down = 320, Outward = 70, ForeRadius = 640, SideRadius = 480 },
-                new() { Forward = 80, Down = 480, Outward = 55, ForeRadius = 400, SideRadius = 340 },
-                new() { Forward = -45, Down = 660, Outward = 30, ForeRadius = 220, SideRadius = 210 },
-                new() { Forward = -95, Down = 760, Outward = 22, ForeRadius = 190, SideRadius = 190 },
-                new() { Forward = -40, Down = 900, Outward = 18, ForeRadius = 170, SideRadius = 180 },
+                new() { Forward = 50, Down = 140, Outward = 70, ForeRadius = 960, SideRadius = 740 },
+                new() { Forward = 130, Down = 320, Outward = 70, ForeRadius = 640, SideRadius = 545 },
+                new() { Forward = 80, Down = 480, Outward = 55, ForeRadius = 400, SideRadius = 335 },
+                new() { Forward = -45, Down = 660, Outward = 30, ForeRadius = 220, SideRadius = 190 },
+                new() { Forward = -95, Down = 760, Outward = 22, ForeRadius = 200, SideRadius = 210 },
+                new() { Forward = -40, Down = 900, Outward = 18, ForeRadius = 160, SideRadius = 155 },
                 new() { Forward = 0, Down = 960, Outward = 18, ForeRadius = 190, SideRadius = 250 },
                 new() { Forward = 60, Down = 970, Outward = 18, ForeRadius = 180, SideRadius = 300 },
             },

@@ -19,12 +19,12 @@ internal static class DigitigradeForeLeg
             Rows = new LegSection[]
             {
                 new() { Forward = 0, Down = 0, Outward = 0, ForeRadius = 1000, SideRadius = 800 },
-                new() { Forward = 20, Down = 180, Outward = 40, ForeRadius = 720, SideRadius = 520 },
-                new() { Forward = -70, Down = 400, Outward = 30, ForeRadius = 440, SideRadius = 380 },
-                new() { Forward = -30, Down = 620, Outward = 20, ForeRadius = 290, SideRadius = 280 },
-                new() { Forward = 0, Down = 820, Outward = 10, ForeRadius = 240, SideRadius = 260 },
-                new() { Forward = 30, Down = 945, Outward = 10, ForeRadius = 270, SideRadius = 350 },
-                new() { Forward = 110, Down = 965, Outward = 10, ForeRadius = 260, SideRadius = 420 },
+                new() { Forward = 20, Down = 180, Outward = 40, ForeRadius = 720, SideRadius = 600 },
+                new() { Forward = -70, Down = 400, Outward = 30, ForeRadius = 440, SideRadius = 385 },
+                new() { Forward = -30, Down = 620, Outward = 20, ForeRadius = 290, SideRadius = 285 },
+                new() { Forward = 0, Down = 820, Outward = 10, ForeRadius = 230, SideRadius = 220 },
+                new() { Forward = 30, Down = 945, Outward = 10, ForeRadius = 270, SideRadius = 365 },
+                new() { Forward = 110, Down = 965, Outward = 10, ForeRadius = 260, SideRadius = 440 },
             },
         },
         build: new LegBuild(LimbPosture.Under)

@@ -20,12 +20,12 @@ internal static class PlantigradeForeLeg
             Rows = new LegSection[]
             {
                 new() { Forward = 0, Down = 0, Outward = 0, ForeRadius = 1000, SideRadius = 850 },
-                new() { Forward = 20, Down = 220, Outward = 50, ForeRadius = 800, SideRadius = 620 },
-                new() { Forward = -70, Down = 460, Outward = 40, ForeRadius = 580, SideRadius = 500 },
-                new() { Forward = -20, Down = 680, Outward = 30, ForeRadius = 440, SideRadius = 440 },
-                new() { Forward = -10, Down = 800, Outward = 20, ForeRadius = 340, SideRadius = 400 },
-                new() { Forward = 80, Down = 915, Outward = 20, ForeRadius = 290, SideRadius = 480 },
-                new() { Forward = 200, Down = 955, Outward = 20, ForeRadius = 270, SideRadius = 530 },
+                new() { Forward = 20, Down = 220, Outward = 50, ForeRadius = 800, SideRadius = 690 },
+                new() { Forward = -70, Down = 460, Outward = 40, ForeRadius = 580, SideRadius = 510 },
+                new() { Forward = -20, Down = 680, Outward = 30, ForeRadius = 440, SideRadius = 435 },
+                new() { Forward = -10, Down = 800, Outward = 20, ForeRadius = 330, SideRadius = 345 },
+                new() { Forward = 80, Down = 915, Outward = 20, ForeRadius = 290, SideRadius = 490 },
+                new() { Forward = 200, Down = 955, Outward = 20, ForeRadius = 270, SideRadius = 550 },
             },
         },
         build: new LegBuild(LimbPosture.Under)

@@ -97,7 +97,7 @@ internal static class StrangeParts
 
         double length = (0.75 + (0.4 * size)) * Math.Max(s.Arc[BodyGrid.Rings - 1] - s.Arc[StationRing.TorsoLast], LeastTail * builder.TorsoLength);
         double radius = Math.Min(0.62 * 0.5 * (s.Width[StationRing.TailBase] + builder.HalfDepth(StationRing.TailBase)), length / Slenderness);
-        var tail = new FeatureBlueprint(FeatureKind.Tail, TailRing, Segment: 4.6, Length: length, Radius: radius, Outward: 0.4, Upward: 0.1, Forward: -1, Sideward: 0.3, BendUp: -0.25, BendForward: 0, BendSide: 0.1, Flatness: 1, Taper: 0.7);
+        var tail = new FeatureBlueprint(FeatureKind.Tail, TailRing, Segment: 4.6, Length: length, Radius: radius, Outward: 0.22, Upward: -0.1, Forward: -1, Sideward: 0.12, BendUp: -0.4, BendForward: 0, BendSide: 0, Flatness: 1, Taper: 0.7);
         builder.Features.Add(FeatureSampler.OffGround(builder, tail));
     }
 }

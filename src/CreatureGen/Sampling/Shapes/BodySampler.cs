@@ -45,6 +45,7 @@ internal static class BodySampler
         builder.Proportions = FaceFit.Lengthen(builder);
         builder.Proportions = TailFit.Fit(builder);
         builder.Posture = TailFit.Lower(builder);
+        builder.Posture = NeckFit.Carry(builder);
         builder.Posture = FaceFit.Level(builder);
         builder.Drawn = builder.Posture;
     }

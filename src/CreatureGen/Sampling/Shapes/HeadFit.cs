@@ -16,16 +16,16 @@ internal static class HeadFit
     private const double Size = 1;
 
     // What swimmers, bodies that lie and those on two legs have of these: they come head first, and a head as large as the trunk hides all of it; a bird behind a broader head is a stalk.
-    private const double Swimmers = 0.75;
+    private const double Swimmers = 0.73;
     private const double Lying = 0.9;
     private const double OnTwoLegs = 0.83;
 
     /// <summary>The same of the head of another body on all other legs: as large as the trunk it is the end of a log.</summary>
-    private const double OfAnother = 0.88;
+    private const double OfAnother = 0.8;
 
     // Thickest neck behind the head of another body against that head, on land and in the air, and most that it gives way: behind a thicker one the head is the end of a log.
-    private const double Neck = 0.86;
-    private const double LeastNeck = 0.66;
+    private const double Neck = 0.82;
+    private const double LeastNeck = 0.6;
 
     /// <summary>Smallest head of another body against its trunk, and most that it grows by: a smaller one is a knob without a face.</summary>
     private const double Smallest = 0.42;

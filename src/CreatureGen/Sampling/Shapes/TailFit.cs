@@ -15,6 +15,9 @@ internal static class TailFit
     /// <summary>Largest tail against its trunk, each at its largest section.</summary>
     private const double Size = 0.8;
 
+    /// <summary>The same of a mixed insect's abdomen: from behind it is nearer than the rest and hides it.</summary>
+    private const double LargestAbdomen = 0.92;
+
     // Largest root of a tail against the hips, behind legs under the body and of one that balances a body on two legs or in the air: one as thick as they are goes on as trunk, and has no rump before it.
     private const double LargestRoot = 0.5;
     private const double LargestBalancing = 0.62;
@@ -36,13 +39,20 @@ internal static class TailFit
     private const double HeldUpDegrees = 12;
     private const double BalancingDegrees = 17;
 
+    /// <summary>The same of a bare tail of a flier: a level one is not seen from behind, and the rump is a block.</summary>
+    private const double FlownDegrees = 16;
+
+    // How far a tail that rolls up on a mixed body comes down before it does, degrees, behind legs under the body and behind others: one that rises from its root on is a spike over the back from behind.
+    private const double RolledFallDegrees = 64;
+    private const double RolledFallOnOthers = 54;
+
     // Most that an abdomen comes down, and how far its end bends back out: one that turns down at its end looks cut off there.
     private const double AbdomenDegrees = 19;
     private const double StraightenedDegrees = 13;
 
     // Least fall of a fan of feathers behind the rump, that of a strange creature that flies, and rise from which on a fan is carried up as a cock's is.
     private const double FallDegrees = 18;
-    private const double FlownFallDegrees = 14;
+    private const double FlownFallDegrees = 19;
     private const double RaisedDegrees = 30;
 
     // How far a tail may come down for each unit that it goes back, and one that balances a body on two legs.
@@ -79,6 +89,13 @@ internal static class TailFit
     public static BodyProportions Fit(CreatureBuilder builder)
     {
         BodyProportions drawn = builder.Proportions;
+        if (HasAbdomen(builder))
+        {
+            BodyShape insect = StanceSampler.ShapeOf(builder);
+            double bulges = Math.Max(1, Largest(insect, FirstOfTail, LastOfTail) / (LargestAbdomen * Largest(insect, FirstOfTrunk, LastOfTrunk)));
+            return drawn with { TailGirth = drawn.TailGirth * PortableMath.Pow(bulges, -builder.Fitting) };
+        }
+
         if (builder.Kind == LocomotionKind.Swimming || builder.Species.Class == AnimalClass.Arthropod || builder.Plan == BodyPlan.Legless)
         {
             return drawn;
@@ -120,6 +137,12 @@ internal static class TailFit
             return drawn with { Tail = drawn.Tail - (builder.Fitting * excess), TailBend = drawn.TailBend - (builder.Fitting * end / BodyGrid.TailBones) };
         }
 
+        if (builder.Tail.Style == TailStyle.Prehensile)
+        {
+            double rolled = Scalar.Radians(PlanTraits.IsAboveLegs(builder.Plan) ? RolledFallDegrees : RolledFallOnOthers);
+            return drawn with { Tail = Scalar.Lerp(drawn.Tail, rolled, builder.Fitting) };
+        }
+
         bool fan = builder.Tail.Style == TailStyle.Feathers;
         bool balances = builder.Plan == BodyPlan.Theropod && builder.Tail.Style is TailStyle.Plain or TailStyle.Saurian;
         if (builder.Kind == LocomotionKind.Flying && fan)
@@ -127,13 +150,14 @@ internal static class TailFit
             return drawn with { Tail = drawn.Tail + (builder.Fitting * Math.Max(0, Scalar.Radians(FlownFallDegrees) - Fall(builder))) };
         }
 
-        if (builder.Kind != LocomotionKind.Walking || !(fan || balances || IsBare(builder)))
+        bool flown = builder.Plan == BodyPlan.Flapping && builder.Species.Class != AnimalClass.Arthropod && IsBareEnd(builder);
+        if (!flown && (builder.Kind != LocomotionKind.Walking || !(fan || balances || IsBare(builder))))
         {
             return drawn;
         }
 
         double fall = Fall(builder);
-        if (!balances && fall < -Scalar.Radians(fan ? RaisedDegrees : HeldUpDegrees))
+        if (!balances && !flown && fall < -Scalar.Radians(fan ? RaisedDegrees : HeldUpDegrees))
         {
             return drawn;
         }
@@ -143,7 +167,7 @@ internal static class TailFit
             return drawn with { Tail = drawn.Tail + Math.Max(0, Scalar.Radians(FallDegrees) - fall) };
         }
 
-        double hung = Scalar.Radians(balances ? BalancingDegrees : HungDegrees);
+        double hung = Scalar.Radians(balances ? BalancingDegrees : flown ? FlownDegrees : HungDegrees);
         double tip = builder.Fitting * Scalar.Radians(TipDegrees) * hung / Scalar.Radians(HungDegrees);
         double lower = builder.Fitting * Math.Max(0, hung - fall);
         return drawn with { Tail = drawn.Tail + lower + (0.5 * tip), TailBend = drawn.TailBend - (tip / BodyGrid.TailBones) };
@@ -160,12 +184,15 @@ internal static class TailFit
     private static bool HasAbdomen(CreatureBuilder builder) =>
         builder.Species.Class == AnimalClass.Arthropod && builder.Tail.Style == TailStyle.Plain && builder.Plan is BodyPlan.Buzzing or BodyPlan.Hexapod or BodyPlan.Flapping;
 
-    /// <summary>Whether a tail behind legs under the body is neither rolled up nor armed, and wears no hair.</summary>
-    private static bool IsBare(CreatureBuilder builder)
+    /// <summary>Whether a tail behind legs under the body is bare.</summary>
+    private static bool IsBare(CreatureBuilder builder) => PlanTraits.IsAboveLegs(builder.Plan) && IsBareEnd(builder);
+
+    /// <summary>Whether a tail is neither rolled up nor armed, and wears no hair.</summary>
+    private static bool IsBareEnd(CreatureBuilder builder)
     {
         bool haired = builder.Parents.Tail.TailHair is not null && builder.Tail.Style == TailStyle.Plain
             && (builder.Parents.Skin.Cover == SkinCover.Fur || builder.Parents.Skin == builder.Parents.Tail);
-        return PlanTraits.IsAboveLegs(builder.Plan) && !haired && builder.Tail.Style is TailStyle.Plain or TailStyle.Saurian or TailStyle.Whip or TailStyle.Paddle;
+        return !haired && builder.Tail.Style is TailStyle.Plain or TailStyle.Saurian or TailStyle.Whip or TailStyle.Paddle;
     }
 
     /// <summary>The slices with a point at the end of a bird's tail that wears no feathers, whose tables are made for a fan and end like a sawn log without one, of an abdomen, and of a swimmer's, whose fin comes later.</summary>
@@ -201,7 +228,7 @@ internal static class TailFit
         double back = s.Z[StationRing.TorsoLast] - s.Z[End];
         bool fleshed = builder.Species.Class != AnimalClass.Bird || (builder.Fitting > 0 && builder.Parents.Tail.Class != AnimalClass.Bird);
         bool balances = builder.Plan == BodyPlan.Theropod && fleshed && builder.Tail.Style != TailStyle.Feathers;
-        if (builder.Plan == BodyPlan.Flapping)
+        if (builder.Plan is BodyPlan.Flapping or BodyPlan.Buzzing && builder.Species.Class != AnimalClass.Arthropod)
         {
             return builder.Fitting > 0 && builder.Tail.Style != TailStyle.Feathers && down > SteepestFlown * back;
         }

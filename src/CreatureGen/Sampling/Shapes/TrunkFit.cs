@@ -12,9 +12,9 @@ namespace CreatureGen.Sampling.Shapes;
 internal static class TrunkFit
 {
     // Longest trunks in chests: on legs under the body, upright, on legs out to its side, of swimmers, and of those that swim by winding.
-    private const double LongestCarried = 3.1;
+    private const double LongestCarried = 2.9;
     private const double LongestUpright = 2.9;
-    private const double LongestSprawling = 3.5;
+    private const double LongestSprawling = 3.3;
     private const double LongestSwimmer = 2.7;
     private const double LongestWinding = 4.2;
 
@@ -61,7 +61,7 @@ internal static class TrunkFit
     private const double Constriction = 0.45;
 
     // Steepest fall of a swimmer's throat to its chest for each unit that it goes back, and the parts of what is too much by which the chest and the rest of the trunk give way and the neck grows: behind a step the head is a spout on a sack.
-    private const double SteepestThroat = 0.7;
+    private const double SteepestThroat = 0.66;
     private const double ChestGives = 0.4;
     private const double BellyGives = 0.12;
     private const double NeckGrows = 0.1;
@@ -89,8 +89,9 @@ internal static class TrunkFit
     private const double FlatDeepened = 0.4;
     private const double FlatNarrowed = 0.25;
 
-    // A swimmer's largest hips against its belly, least and most of its tail's stem against its hips and belly, and most that the tail's girth changes by for it.
+    // A swimmer's largest hips against its belly, the power of what they give way by for it that the belly follows by, for it would end in a corner before them, least and most of its tail's stem against its hips and belly, and most that the tail's girth changes by for it.
     private const double Hips = 0.6;
+    private const double BellyFollows = 0.5;
     private const double Root = 0.5;
     private const double Stem = 0.42;
     private const double MaxRoot = 1.3;
@@ -228,6 +229,7 @@ internal static class TrunkFit
             Girth = drawn.Girth * PortableMath.Pow(deep, (Shallower - 1) * strange) * PortableMath.Pow(step, -BellyGives * strange),
             Chest = drawn.Chest * PortableMath.Pow(step, -ChestGives * strange),
             NeckGirth = drawn.NeckGirth * PortableMath.Pow(step, NeckGrows * strange),
+            Belly = drawn.Belly * PortableMath.Pow(thin, BellyFollows * strange),
             Rump = drawn.Rump * PortableMath.Pow(thin, strange),
             TailGirth = drawn.TailGirth * Scalar.Clamp(PortableMath.Pow(wanted / root, strange), MinRoot, MaxRoot),
         };

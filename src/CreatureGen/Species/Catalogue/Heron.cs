@@ -35,7 +35,7 @@ internal static class Heron
         TorsoLength = (0.24, 0.38),
         Frequency = (0.19, 0.22, 0),
         Eye = (9.8, 6.2), EyeSize = 0.375,
-        Bird = new BirdPreset { HipHeight = (1.0, 1.33), HipSegment = 11.4, Thigh = (0.36, 0.46), Foot = 1.5, FoldRing = 47, Fan = 0, FlightPitch = (-14, -6) },
+        Bird = new BirdPreset { HipHeight = (1.0, 1.33), HipSegment = 12, Thigh = (0.36, 0.46), Foot = 1.5, FoldRing = 47, Fan = 0, FlightPitch = (-14, -6) },
         Parts = new[] { new PartSlot(new PartChoice(1.5, BirdParts.Plumes()), new PartChoice(1)) },
         WingStyles = Weights.Of((WingStyle.Albatross, 0.4), (WingStyle.Owl, 0.6)),
         Colourings = new[]

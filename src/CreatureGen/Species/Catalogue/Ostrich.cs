@@ -35,7 +35,7 @@ internal static class Ostrich
         TorsoLength = (0.7, 0.95),
         Frequency = (0.19, 0, 0),
         Eye = (10.0, 6.0), EyeSize = 0.44,
-        Bird = new BirdPreset { HipHeight = (1.07, 1.3), HipSegment = 11.4, Thigh = (0.56, 0.66), Toes = 2, FoldRing = 43, Fan = 0.12 },
+        Bird = new BirdPreset { HipHeight = (1.07, 1.3), HipSegment = 11.8, Thigh = (0.56, 0.66), Toes = 2, FoldRing = 43, Fan = 0.12 },
         Parts = new[] { new PartSlot(new PartChoice(1, BirdParts.Crest(0.8)), new PartChoice(2)) },
         Colourings = new[]
         {
