@@ -4,6 +4,7 @@ using CreatureGen.Maths;
 using CreatureGen.Motion.Modes;
 using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Motion.Walking.Legs;
+using CreatureGen.Motion.Walking.Pace;
 
 namespace CreatureGen.Motion.Walking.Footsteps;
 
@@ -58,7 +59,7 @@ internal static class FootRelease
         foot.Plan.Reached = reached;
         foot.Plan.Missed = foot.Leg.Residual;
         bool misses = slides > 0f && foot.Leg.Residual + slides > MaxMiss * leg.Length;
-        Vector3 then = chord + lowered + onward.Later(place) - place;
+        Vector3 then = chord + lowered + (step.Since > Overdue || !step.Moving ? onward.Later(place) - place : foot.Leg.Drift * UntilDecided(foot, step.Clock));
         if (misses || (HipMayEnd(leg, then) && Missing(foot, body, leg, step, then) > MaxMiss * leg.Length))
         {
             return true;
@@ -68,6 +69,9 @@ internal static class FootRelease
         return drop > (late ? LateDrop : MaxDrop)
             || (grows && ((!late && drop > MaxGrowingDrop) || reached > Math.Max(leg.Lateral ? LateralStretch : MaxStretch, leg.RestStretch + BeyondRest) * leg.Reach));
     }
+
+    /// <summary>Seconds until the foot is decided on again, or leaves the ground by itself.</summary>
+    private static float UntilDecided(in Foot foot, GaitClock clock) => Math.Min(DecisionClock.Period, (1f - foot.Stance) * clock.Duty * clock.Cycle);
 
     /// <summary>Whether a hip may come to its end with a chord: any out to the side, one above its leg only where that lies flat.</summary>
     private static bool HipMayEnd(LegRig leg, Vector3 chord) => leg.Lateral || (chord.X * chord.X) + (chord.Z * chord.Z) > Flat * chord.Y * chord.Y;

@@ -9,6 +9,9 @@ internal struct LegOutcome
     /// <summary>From the hip to what the leg reaches for, when last posed, before the body was lowered for it. Model space.</summary>
     public Vector3 Chord;
 
+    /// <summary>How quickly that changes as the foot stands, by all that moves its hip; none as it has just come down. Metres per second.</summary>
+    public Vector3 Drift;
+
     /// <summary>How far its leg drew the body down when it last stood or was about to, metres.</summary>
     public float Drawn;
 

@@ -60,10 +60,17 @@ internal struct LegRoom
     /// <param name="leg">The leg.</param>
     /// <param name="chord">From its hip to what it reaches for, the body not lowered yet.</param>
     /// <param name="foot">Its foot; takes note of the chord and of what was asked.</param>
-    public void Add(LegRig leg, Vector3 chord, ref Foot foot)
+    /// <param name="dt">Seconds since the chord before.</param>
+    public void Add(LegRig leg, Vector3 chord, ref Foot foot, float dt)
     {
         float weight = Weight(leg, foot);
         float arriving = Arrival(leg, foot);
+        if (dt > 0f)
+        {
+            bool stood = foot.Phase == FootPhase.Stance && !foot.Plan.Arrived && foot.Leg.Astray == Vector3.Zero;
+            foot.Leg.Drift = stood ? (chord - foot.Leg.Chord) / dt : default;
+        }
+
         foot.Leg.Chord = chord;
         float distance = Vec.Length(chord);
         float steep = Steepness(chord, distance);
@@ -94,14 +101,17 @@ internal struct LegRoom
 
     /// <summary>Finds how far the body comes down when all legs that count have been added.</summary>
     /// <param name="feet">All; take note of it.</param>
+    /// <param name="dt">Seconds since it was last found.</param>
+    /// <param name="drop">How far it had come down then; goes on.</param>
     /// <param name="hindDrop">Of the hind body, metres; negative is up.</param>
     /// <param name="foreDrop">Of the fore body.</param>
-    public readonly void Find(Span<Foot> feet, out float hindDrop, out float foreDrop)
+    public readonly void Find(Span<Foot> feet, float dt, ref LegDrop drop, out float hindDrop, out float foreDrop)
     {
         float level = Math.Max(0f, 1f - body.Span.Fraction);
         float hindest = Math.Max(hind.Drop, level * fore.Drop);
         hindDrop = Net(hindest, hind.Rise);
         foreDrop = Net(Math.Max(fore.Drop, level * hindest), fore.Rise);
+        drop.Follow(dt, body.LegLength, ref hindDrop, ref foreDrop);
         for (int i = 0; i < feet.Length; i++)
         {
             feet[i].Leg.Lowered = body.Legs[i].IsHind(body.Rows) ? hindDrop : foreDrop;

@@ -48,6 +48,7 @@ internal sealed class BodyPlacer
     private GroundSlope way;
     private ExponentialDecay groundDecay;
     private ExponentialDecay slopeDecay;
+    private LegDrop drop;
 
     public BodyPlacer(LeggedBody body)
     {
@@ -120,6 +121,7 @@ internal sealed class BodyPlacer
         way = other.way;
         groundDecay = other.groundDecay;
         slopeDecay = other.slopeDecay;
+        drop = other.drop;
     }
 
     /// <summary>Forgets what was smoothed: the creature has been put somewhere else.</summary>
@@ -133,6 +135,7 @@ internal sealed class BodyPlacer
         turnBend = default;
         look = default;
         turnLook = default;
+        drop = default;
     }
 
     /// <summary>Tells that the root was moved up under the body, metres.</summary>
@@ -257,7 +260,7 @@ internal sealed class BodyPlacer
         plan.Add(layer, body, ref foreRise);
         Vector3 between = Trunk.Flex(plan);
         Settle(plan, layer, between, rest.Y, foreRise, 0f, 0f);
-        MakeRoom(feet, poses, out float hindDrop, out float foreDrop);
+        MakeRoom(feet, poses, context.Step, out float hindDrop, out float foreDrop);
         if (Math.Max(Math.Abs(hindDrop), Math.Abs(foreDrop)) > 1e-5f * length)
         {
             Settle(plan, layer, between, rest.Y, foreRise, hindDrop, foreDrop);
@@ -273,18 +276,18 @@ internal sealed class BodyPlacer
     }
 
     /// <summary>How far the placed trunk has to come down for the legs.</summary>
-    private void MakeRoom(Span<Foot> feet, ReadOnlySpan<FootPose> poses, out float hindDrop, out float foreDrop)
+    private void MakeRoom(Span<Foot> feet, ReadOnlySpan<FootPose> poses, float dt, out float hindDrop, out float foreDrop)
     {
         var room = new LegRoom(body);
         for (int i = 0; i < feet.Length; i++)
         {
             if (LegRoom.Weight(body.Legs[i], feet[i]) != 0f)
             {
-                room.Add(body.Legs[i], poses[i].Target - HipOf(i, feet[i], out _), ref feet[i]);
+                room.Add(body.Legs[i], poses[i].Target - HipOf(i, feet[i], out _), ref feet[i], dt);
             }
         }
 
-        room.Find(feet, out hindDrop, out foreDrop);
+        room.Find(feet, dt, ref drop, out hindDrop, out foreDrop);
     }
 
     /// <summary>Model place of a leg's hip, its girdle slid and risen with its foot.</summary>

@@ -33,6 +33,29 @@ public sealed class LegRoomTests
         Assert.True(late > before + (0.02f * body.LegLength), $"risen by {before}, and {late} when the leg is in the air");
     }
 
+    [Fact]
+    public void How_quickly_a_hip_leaves_its_foot_is_known_while_that_stands_and_not_by_how_it_came_down()
+    {
+        LeggedBody body = new MotionProfile(Walkers.Any(42)).Legs!;
+        LegRig leg = body.Legs[0];
+        var foot = new Foot();
+        foot.Plan.Phase = FootPhase.Stance;
+        foot.Plan.Arrived = true;
+        Add(-0.9f, 0.1f);
+        Add(-0.8f, 0.1f);
+        Assert.Equal(0f, foot.Leg.Drift.Y);
+        foot.Plan.Arrived = false;
+        Add(-0.7f, 0.1f);
+        Assert.Equal(leg.Reach, foot.Leg.Drift.Y, 4);
+        Add(-0.7f, 0f);
+        Assert.Equal(leg.Reach, foot.Leg.Drift.Y, 4);
+        foot.Leg.Astray = Vector3.UnitX;
+        Add(-0.6f, 0.1f);
+        Assert.Equal(Vector3.Zero, foot.Leg.Drift);
+
+        void Add(float height, float seconds) => new LegRoom(body).Add(leg, new Vector3(0f, height * leg.Reach, 0f), ref foot, seconds);
+    }
+
     /// <summary>How far the hind body comes up where its left leg is stretched beyond its reach and its right one is folded.</summary>
     private static float Risen(LeggedBody body, Foot[] feet)
     {
@@ -40,9 +63,10 @@ public sealed class LegRoomTests
         LegRig left = body.Legs[0];
         LegRig right = body.Legs[1];
         Assert.True(left.Row == right.Row);
-        room.Add(left, new Vector3(0f, -1.02f * left.Reach, 0f), ref feet[0]);
-        room.Add(right, new Vector3(0f, -Math.Max(right.FoldedReach - (0.2f * right.Length), 0.05f * right.Length), 0f), ref feet[1]);
-        room.Find(feet, out float hind, out float fore);
+        room.Add(left, new Vector3(0f, -1.02f * left.Reach, 0f), ref feet[0], 0f);
+        room.Add(right, new Vector3(0f, -Math.Max(right.FoldedReach - (0.2f * right.Length), 0.05f * right.Length), 0f), ref feet[1], 0f);
+        var drop = new LegDrop();
+        room.Find(feet, 0f, ref drop, out float hind, out float fore);
         return -(left.IsHind(body.Rows) ? hind : fore);
     }
 }

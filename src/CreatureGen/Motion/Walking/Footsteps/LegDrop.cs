@@ -1,0 +1,31 @@
+using CreatureGen.Maths;
+
+namespace CreatureGen.Motion.Walking.Footsteps;
+
+/// <summary>How far hind and fore body have come down for the legs: no quicker than a knee near straight can follow, however suddenly one of them asks for it or gives it up.</summary>
+internal struct LegDrop
+{
+    /// <summary>How quickly at most, leg lengths per second.</summary>
+    private const float Rate = 3f;
+
+    private float hind;
+    private float fore;
+    private bool known;
+
+    /// <summary>Goes on to what the legs ask for.</summary>
+    /// <param name="dt">Seconds.</param>
+    /// <param name="legLength">Metres.</param>
+    /// <param name="hindDrop">Asked of the hind body, metres; receives what it comes down.</param>
+    /// <param name="foreDrop">The same of the fore body.</param>
+    public void Follow(float dt, float legLength, ref float hindDrop, ref float foreDrop)
+    {
+        if (known)
+        {
+            float most = Rate * legLength * dt;
+            hindDrop = Scalar.Clamp(hindDrop, hind - most, hind + most);
+            foreDrop = Scalar.Clamp(foreDrop, fore - most, fore + most);
+        }
+
+        (hind, fore, known) = (hindDrop, foreDrop, true);
+    }
+}
