@@ -31,6 +31,12 @@ internal static class FootRoll
     /// <summary>Width in which heel and toe change places as pivots, radians.</summary>
     private const float PivotBlend = 0.2094f;
 
+    /// <summary>Part of the swing at its beginning in which they begin to: in less the foot of a leg that has been near straight is thrown up, and its knee snaps.</summary>
+    private const float PivotLeaving = 0.3f;
+
+    /// <summary>The same at its end.</summary>
+    private const float PivotArriving = 0.15f;
+
     /// <summary>Pitch beyond which toes leave the ground with the rest of a flat foot, radians.</summary>
     private const float ToeBreak = 0.3491f;
 
@@ -41,13 +47,13 @@ internal static class FootRoll
     private const float ToeFraction = 0.8f;
 
     /// <summary>Radians per second at which toes leave the ground at most: in the short stances of a fast gallop they roll off less far.</summary>
-    private const float FastestRoll = 45f;
+    private const float FastestRoll = 30f;
 
     /// <summary>Part of its roll that a foot makes whose toes hang over an edge.</summary>
     private const float OverhangingRoll = 0.2f;
 
     /// <summary>Speed backwards, of √(gℓ), from which on feet do not roll over their toes.</summary>
-    private const float BackingSpeed = 0.08f;
+    private const float BackingSpeed = 0.14f;
 
     /// <summary>Activity from which on a foot takes on and gives up all its load from step to step.</summary>
     private const float SteppingActivity = 0.1f;
@@ -138,7 +144,7 @@ internal static class FootRoll
     /// <param name="pitch">Radians.</param>
     public static Vector3 BallAt(LegRig leg, in Foot foot, float pitch)
     {
-        float blend = foot.Phase == FootPhase.Stance ? 0f : PivotBlend * Scalar.Smooth(foot.Swing / 0.15f) * Scalar.Smooth((1f - foot.Swing) / 0.15f);
+        float blend = foot.Phase == FootPhase.Stance ? 0f : PivotBlend * Scalar.Smooth(foot.Swing / PivotLeaving) * Scalar.Smooth((1f - foot.Swing) / PivotArriving);
         float root = (float)Math.Sqrt((pitch * pitch) + (blend * blend));
         if (root == 0f)
         {
