@@ -388,6 +388,7 @@ public sealed partial class CreatureAnimator
         }
 
         secondHead?.NoteLooking(LocalPose);
+        Mode?.Give(dt, root, settings.Gravity, LocalPose, ModelPose);
         bool carried = performer != null && StandsOnFeet;
         ActGround ground = carried ? ActGround.Under(Legs!.Feet, root) : ActGround.Level;
         if (performer != null)

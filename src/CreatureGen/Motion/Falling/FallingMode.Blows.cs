@@ -46,6 +46,21 @@ internal sealed partial class FallingMode
         }
     }
 
+    /// <summary>Lays what is left of blows on a pose, after gaze has turned its head: who looks somewhere would hold its head against them.</summary>
+    /// <param name="dt">Seconds.</param>
+    /// <param name="place">Where the creature is.</param>
+    /// <param name="gravity">World m/s².</param>
+    /// <param name="local">The pose.</param>
+    /// <param name="model">The same in model space, brought up to date.</param>
+    public void Give(float dt, in RootPlace place, float gravity, in Pose local, in Pose model)
+    {
+        if (recoil is { IsActive: true } && State is not (BodyState.Limp or BodyState.Rising))
+        {
+            recoil.Apply(dt, Tau(place.Scale, gravity), local);
+            ForwardKinematics.LocalToModel(profile.Value.Skeleton, local, model);
+        }
+    }
+
     /// <summary>Lets the body be pushed: on its legs it steps after it, else it is carried off and slows down.</summary>
     private void Stagger(Vector3 change, in RootPlace place, float unit, float tau)
     {

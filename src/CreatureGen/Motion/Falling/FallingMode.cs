@@ -173,14 +173,14 @@ internal sealed partial class FallingMode : ILocomotionMode
             water?.Fade(next, dt, settings, local);
         }
 
-        if (recoil != null && State is not (BodyState.Limp or BodyState.Rising))
-        {
-            recoil.Apply(dt, Tau(place.Scale, settings.Gravity), local);
-        }
-
         if (goesLimp)
         {
             goesLimp = false;
+            if (State is not (BodyState.Limp or BodyState.Rising))
+            {
+                recoil?.Apply(dt, Tau(place.Scale, settings.Gravity), local);
+            }
+
             if (layer != null)
             {
                 Lying.Hold(local);

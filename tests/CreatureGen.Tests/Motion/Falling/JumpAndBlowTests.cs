@@ -193,6 +193,31 @@ public sealed class JumpAndBlowTests
         }
     }
 
+    /// <summary>Looking about held the head where it was, and a blow from the side was hardly to be seen on it (.09 to .4 rad).</summary>
+    [Fact]
+    public void A_blow_to_the_head_from_the_side_throws_it_aside_while_it_looks_about()
+    {
+        foreach (MotionProfile profile in FreeFallTests.Lot(690, 4))
+        {
+            int head = profile.Subject.Skeleton.FirstOf(JointRole.Head);
+            float unit = profile.Subject.Mass.Mass * MathF.Sqrt(9.81f * profile.LegLength);
+            var struck = new CreatureAnimator(profile);
+            var spared = new CreatureAnimator(profile);
+            Run(struck, 30);
+            Run(spared, 30);
+            struck.Hit(head, new Vector3(-0.4f * unit, 0f, 0f));
+            double most = 0;
+            for (int i = 0; i < 60; i++)
+            {
+                Run(struck, 1);
+                Run(spared, 1);
+                most = Math.Max(most, Rotation.Angle(Rotation.Multiply(Rotation.Inverse(spared.ModelPose.Rotations[head]), struck.ModelPose.Rotations[head])));
+            }
+
+            Assert.InRange(most, 0.5, 2.2);
+        }
+    }
+
     [Fact]
     public void Who_is_struck_shuts_its_eyes_for_a_moment()
     {
