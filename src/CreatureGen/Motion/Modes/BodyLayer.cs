@@ -42,6 +42,9 @@ internal sealed class BodyLayer
     /// <summary>How far it puts off shifting its weight and breathing, 0..1.</summary>
     public float Still { get; set; }
 
+    /// <summary>How springy its steps are: swinging feet go higher, and the body rises and falls more, by so many parts; less below 0, at least −1.</summary>
+    public float Verve { get; set; }
+
     /// <summary>What is asked of each foot.</summary>
     public FootLayer[] Feet { get; }
 
@@ -52,7 +55,7 @@ internal sealed class BodyLayer
         Yaw = Pitch = Roll = 0f;
         ForeDown = HindDown = 0f;
         BackPitch = BackSide = BackTwist = 0f;
-        Wings = Still = 0f;
+        Wings = Still = Verve = 0f;
         Array.Clear(Feet, 0, Feet.Length);
     }
 
@@ -76,6 +79,7 @@ internal sealed class BodyLayer
         BackTwist += other.BackTwist;
         Wings += other.Wings;
         Still = Math.Max(Still, other.Still);
+        Verve += other.Verve;
         for (int i = 0; i < Feet.Length; i++)
         {
             Feet[i].Way += other.Feet[i].Way;
@@ -98,6 +102,7 @@ internal sealed class BodyLayer
         BackTwist = other.BackTwist;
         Still = other.Still;
         Wings = other.Wings;
+        Verve = other.Verve;
         other.Feet.CopyTo(Feet, 0);
     }
 }

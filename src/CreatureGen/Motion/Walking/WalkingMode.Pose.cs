@@ -38,7 +38,7 @@ internal sealed partial class WalkingMode
         var context = new BodyContext(clock, velocity, settings, dt, activity, idle, acceleration, Raised, Bow, Facing);
         placer.Place(context, layer, planner.Feet, poses);
         poser.PoseTrunk(placer, local);
-        PoseLegs(placement, dt, settings, ground, poses, local);
+        PoseLegs(placement, dt, settings, layer, ground, poses, local);
         HeadPosture.Pose(body, turns, placer, context, local);
         ArmSwing.Pose(body, turns, placer, context, local);
         FlipperPosture.Pose(body, turns, placer, context, local);
@@ -68,7 +68,7 @@ internal sealed partial class WalkingMode
 
     private void PoseFeet(in RootPlace placement, float dt, in MotionSettings settings, BodyLayer? layer, float rest, Span<FootPose> poses)
     {
-        GaitNumbers numbers = Numbers(dt, settings);
+        GaitNumbers numbers = Numbers(dt, settings, layer);
         for (int i = 0; i < poses.Length; i++)
         {
             FootPoser.Pose(body.Legs[i], ref planner.Feet[i], planner.Ways[i], placement, numbers, rest * body.RestPitch(i), out poses[i]);
@@ -80,7 +80,7 @@ internal sealed partial class WalkingMode
         }
     }
 
-    private void PoseLegs(in RootPlace placement, float dt, in MotionSettings settings, IGround? ground, Span<FootPose> poses, in Pose local)
+    private void PoseLegs(in RootPlace placement, float dt, in MotionSettings settings, BodyLayer? layer, IGround? ground, Span<FootPose> poses, in Pose local)
     {
         float tuck = clock.Shape.Tuck * activity;
         float trail = clock.TrailIn(settings.Gravity) * activity;
@@ -93,12 +93,12 @@ internal sealed partial class WalkingMode
             poser.PoseLeg(i, placer, ref foot, poses[i], tuck, trail, local);
             if (ground != null && FootRelease.IsTorn(foot, body.Legs[i], dt) && planner.TryLetGo(i, new StepContext(placement, velocity, clock, settings, ground, dt, dt, 0f, activity, moving, placer.Climb)))
             {
-                FootPoser.Pose(body.Legs[i], ref foot, planner.Ways[i], placement, Numbers(0f, settings), 0f, out poses[i]);
+                FootPoser.Pose(body.Legs[i], ref foot, planner.Ways[i], placement, Numbers(0f, settings, layer), 0f, out poses[i]);
                 poser.PoseLeg(i, placer, ref foot, poses[i], tuck, trail, local);
             }
         }
     }
 
-    private GaitNumbers Numbers(float dt, in MotionSettings settings) =>
-        new(clock.Duty, clock.Shape.Lift * settings.Walking.Lift, clock.Shape.ForceDip, activity, activity * clock.Length * FootRoll.Going(velocity.Speed, settings.Gravity * body.LegLength), clock.Cycle, dt);
+    private GaitNumbers Numbers(float dt, in MotionSettings settings, BodyLayer? layer) =>
+        new(clock.Duty, clock.Shape.Lift * settings.Walking.Lift * (1f + (layer?.Verve ?? 0f)), clock.Shape.ForceDip, activity, activity * clock.Length * FootRoll.Going(velocity.Speed, settings.Gravity * body.LegLength), clock.Cycle, dt);
 }

@@ -35,4 +35,32 @@ public class MoodTests
 
         Assert.InRange((left - right) / profile.LegLength, least, most);
     }
+
+    [Fact]
+    public void Who_plays_lifts_its_feet_higher_as_it_walks_than_who_is_sad()
+    {
+        var profile = new MotionProfile(Walkers.Of(BodyPlan.Digitigrade, 1));
+        float playful = Highest(new Emotion(1f, 1f, 0f));
+        float neutral = Highest(default);
+        float sad = Highest(new Emotion(-1f, -1f, 0f));
+        Assert.InRange(playful / neutral, 1.3f, 2f);
+        Assert.InRange(sad / neutral, 0.4f, 0.9f);
+
+        float Highest(Emotion felt)
+        {
+            var animator = new CreatureAnimator(profile) { Emotion = felt };
+            var input = new MotionInput(Movement.OfGoing(profile).First(movement => movement.Gait != null).Input.Speed);
+            int ball = profile.Legs!.Legs[0].Ball;
+            animator.Teleport(animator.Root, FlatGround.Level);
+            float stood = animator.ModelPose.Positions[ball].Y;
+            float highest = 0f;
+            for (int i = 0; i < 5f * Rate; i++)
+            {
+                animator.Update(1f / Rate, input, FlatGround.Level);
+                highest = i < 2f * Rate ? 0f : Math.Max(highest, animator.ModelPose.Positions[ball].Y - stood);
+            }
+
+            return highest;
+        }
+    }
 }

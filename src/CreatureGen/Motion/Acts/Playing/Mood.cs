@@ -20,6 +20,7 @@ internal sealed class Mood
     private readonly float turnRate;
     private readonly float stance;
     private (float Goal, float Shown) wag;
+    private (float Goal, float Shown) verve;
     private float wagPace = 1f;
     private float turn;
 
@@ -33,6 +34,9 @@ internal sealed class Mood
 
     /// <summary>Factor on the speed of acts.</summary>
     public float Pace { get; private set; } = 1f;
+
+    /// <summary>How springy its steps are (<see cref="Modes.BodyLayer.Verve"/>): who plays prances, the sad drag their feet.</summary>
+    public float Verve => verve.Shown;
 
     /// <summary>Whether anything is shown, or is to be.</summary>
     public bool IsShown { get; private set; }
@@ -63,6 +67,7 @@ internal sealed class Mood
         Set(ActChannel.Jaw, (0.4f * threat) + (0.3f * play));
         Set(ActChannel.Wings, (0.5f * threat) + (0.2f * play));
         wag.Goal = (0.6f * play) + (0.3f * calm);
+        verve.Goal = (0.8f * play) + (0.3f * alert) + (0.25f * threat) - (0.4f * fear) - (0.5f * sad) - (0.2f * calm);
         wagPace = 1f - (Drowsy * calm);
         Pace = 1f + (0.35f * emotion.Arousal) - (0.15f * sad);
         IsShown = true;
@@ -80,6 +85,7 @@ internal sealed class Mood
         }
 
         wag.Shown += (wag.Goal - wag.Shown) * fraction;
+        verve.Shown += (verve.Goal - verve.Shown) * fraction;
         turn += turnRate * wagPace * dt;
         turn -= (float)Math.Floor(turn);
         AddTo(values);
@@ -90,6 +96,7 @@ internal sealed class Mood
     {
         goal.CopyTo(shown, 0);
         wag.Shown = wag.Goal;
+        verve.Shown = verve.Goal;
         IsShown = Array.Exists(shown, value => value != 0f);
     }
 
@@ -109,7 +116,7 @@ internal sealed class Mood
     {
         other.goal.CopyTo(goal, 0);
         other.shown.CopyTo(shown, 0);
-        (wag, wagPace, turn) = (other.wag, other.wagPace, other.turn);
+        (wag, verve, wagPace, turn) = (other.wag, other.verve, other.wagPace, other.turn);
         Pace = other.Pace;
         IsShown = other.IsShown;
     }

@@ -136,7 +136,7 @@ internal sealed class Performer
         mood.AddTo(values);
         room.Clamp(values);
         layer.Ask(values, side);
-        layer.Trunk.Still = 0f;
+        (layer.Trunk.Still, layer.Trunk.Verve) = (0f, mood.Verve);
     }
 
     /// <summary>Takes over what another of the same creature performs.</summary>
@@ -183,7 +183,7 @@ internal sealed class Performer
 
         room.Clamp(values);
         layer.Ask(values, side);
-        layer.Trunk.Still = still;
+        (layer.Trunk.Still, layer.Trunk.Verve) = (still, mood.Verve);
         (aim, lastAim) = (aim.At(root), lastAim.At(root));
         layer.Aim(lastAim, root.ToModel(lastAim.Target), player.LeftReach);
         layer.Aim(aim, root.ToModel(aim.Target), player.OwnReach);

@@ -163,7 +163,7 @@ internal sealed class BodyPlacer
         float omega = (float)PortableMath.Tau * tempo;
         float scale = settings.Gravity / (omega * omega);
         float cap = clock.Shape.BounceCap * length;
-        float bounce = clock.Shape.Bounce * settings.Walking.Bounce * act;
+        float bounce = clock.Shape.Bounce * settings.Walking.Bounce * act * (1f + (layer?.Verve ?? 0f));
         float hindRise;
         float foreRise;
         float nod;
