@@ -244,7 +244,7 @@ internal sealed class ActBody
         Add(ActNeeds.Lids, Joints(JointRole.Lid).Length > 0);
         Add(ActNeeds.Sting, Subject.HasSting && Tail.Count > 0);
         Add(ActNeeds.Abdomen, Legs is { HasAbdomen: true } && Tail.Count > 0);
-        Add(ActNeeds.Flanks, Legs != null && Arms.Length == 0 && !SpreadWings.Of(Subject));
+        Add(ActNeeds.Flanks, Legs != null && Build != BodyBuild.Upright && !SpreadWings.Of(Subject));
         return has;
 
         void Add(ActNeeds part, bool there) => has |= there ? part : ActNeeds.None;

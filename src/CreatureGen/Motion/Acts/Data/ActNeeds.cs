@@ -42,6 +42,6 @@ public enum ActNeeds
     /// <summary>The abdomen of an insect.</summary>
     Abdomen = 1024,
 
-    /// <summary>Flanks to lie on: neither arms nor spread wings beside them.</summary>
+    /// <summary>Flanks to lie on: a body that is not upright, without spread wings beside it.</summary>
     Flanks = 2048,
 }

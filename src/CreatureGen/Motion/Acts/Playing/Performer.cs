@@ -20,6 +20,9 @@ internal sealed class Performer
     private const float StillRatePerUnit = 4f;
     private const float Nothing = 1e-3f;
 
+    /// <summary>How far a body is over, radians, from which on it lies on its flank: arms come out of the ground by another way there.</summary>
+    private const float Flanked = 0.6f;
+
     /// <summary>How far feet have to be off their places for the ground to bear the body instead.</summary>
     private const float Borne = 0.15f;
 
@@ -297,17 +300,26 @@ internal sealed class Performer
     /// </summary>
     private void KeepArmOffGround(in ActGround ground, int shoulder, BonePoints skin, ref float way, in Pose local, in Pose model)
     {
-        for (int round = 0; round < ClearingRounds; round++)
+        // Beside a body on its flank it lies on the ground, and up is to the side.
+        float lying = Scalar.Smooth(Math.Abs(over) / Flanked);
+        for (int round = 0; round < ClearingRounds && lying < 1f; round++)
         {
             (float ahead, float back) = skin.Swing(ground, model.Positions[shoulder], model);
             if (ahead == 0f)
             {
                 way = round == 0 ? 0f : way;
-                return;
+                break;
             }
 
             way = layer.Loose > 0f ? -1f : way != 0f ? way : ahead <= back ? -1f : 1f;
-            body.Neck.TurnJoint(body.Turns, shoulder, AxisRotation.Pitch(way * Math.Min(way < 0f ? ahead : back, MaxCleared)), local);
+            body.Neck.TurnJoint(body.Turns, shoulder, AxisRotation.Pitch((1f - lying) * way * Math.Min(way < 0f ? ahead : back, MaxCleared)), local);
+            Toolkit.Subtree.LocalToModel(body.Skeleton, shoulder, local, model);
+        }
+
+        for (int round = 0; round < ClearingRounds && lying > 0f; round++)
+        {
+            float raise = lying * Math.Min(skin.Raise(ground, model.Positions[shoulder], model), MaxCleared);
+            body.Neck.TurnJoint(body.Turns, shoulder, AxisRotation.Roll(over > 0f ? raise : -raise), local);
             Toolkit.Subtree.LocalToModel(body.Skeleton, shoulder, local, model);
         }
     }

@@ -38,7 +38,7 @@ internal static class BuildNames
             (ActNeeds.Lids, "lids that shut"),
             (ActNeeds.Sting, "sting"),
             (ActNeeds.Abdomen, "abdomen"),
-            (ActNeeds.Flanks, "flanks free of arms and wings"),
+            (ActNeeds.Flanks, "flanks free of wings"),
         };
         return string.Join(" and no ", names.Where(name => (parts & name.Part) != 0).Select(name => name.Name));
     }
