@@ -50,6 +50,9 @@ internal sealed class CoatPainter
     /// <summary>The colours that the coat is made of.</summary>
     public CoatPalette Palette => palette;
 
+    /// <summary>Linear RGB of the horn of a beak, pale enough to be seen in a dark face.</summary>
+    public Vector3 BeakColour => head.BeakColour;
+
     /// <summary>Paints all vertices of a surface.</summary>
     /// <param name="addresses">Where each vertex lies.</param>
     /// <param name="positions">Rest positions, metres at scale 1.</param>

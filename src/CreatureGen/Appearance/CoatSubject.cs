@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Beaks;
 using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
 
@@ -15,6 +16,9 @@ internal sealed class CoatSubject
     public BodyShape Body { get; }
 
     public SnoutKind Snout { get; set; }
+
+    /// <summary>The form of its beak; null for none, and for one that is nothing but painted.</summary>
+    public BeakForm? Beak { get; set; }
 
     /// <summary>Marking of the head; <see cref="HeadMarks.FromSeed"/> chooses one.</summary>
     public HeadMark Mark { get; set; }

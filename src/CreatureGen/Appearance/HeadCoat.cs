@@ -1,5 +1,7 @@
+using System;
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Beaks;
 using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
 using CreatureGen.Geometry;
@@ -33,12 +35,15 @@ internal sealed class HeadCoat
     /// <summary>How far back the leather of a nose may reach over its bridge, relative to the nostrils.</summary>
     private const double LeatherEnd = 0.9;
 
+    // The skin below the horn of a beak: its shade, and how far ahead of the edge it begins, rings.
+    private const float UnderHorn = 0.7f;
+    private const float HornCover = 0.4f;
+
     private readonly CoatPalette palette;
     private readonly CoatSubject subject;
     private readonly Vector3 markColour;
     private readonly Vector3 ringColour;
     private readonly Vector3 muzzleColour;
-    private readonly Vector3 beakColour;
     private readonly Vector3 paleColour;
     private readonly float dark;
     private readonly NosePad leather;
@@ -62,12 +67,15 @@ internal sealed class HeadCoat
         double face = subject.Mark == HeadMark.Hood ? marked.Lightness : coat.Base.Lightness;
         dark = 1f - Scalar.Smooth(((float)face - Unseen) / (Seen - Unseen));
         paleColour = AtLeast(coat.Belly, PaleLightness, chroma: 0);
-        beakColour = Vec.Lerp(palette.Muzzle, AtLeast(coat.Muzzle, PaleBeak, HornyChroma), dark);
+        BeakColour = Vec.Lerp(palette.Muzzle, AtLeast(coat.Muzzle, PaleBeak, HornyChroma), dark);
         Vector3 ring = bright || CoatChoice.Of(patternSeed, CoatChoice.EyeRing) > 0.4f * vivid ? palette.Limb * 0.6f : palette.Accent;
         Vector3 muzzle = CoatChoice.Of(patternSeed, CoatChoice.Muzzle) < 0.5f ? palette.Belly : palette.Limb;
         ringColour = Vec.Lerp(ring, paleColour, dark);
         muzzleColour = Vec.Lerp(muzzle, paleColour, dark);
     }
+
+    /// <summary>Linear RGB of a beak.</summary>
+    public Vector3 BeakColour { get; }
 
     /// <summary>The colour of a place of the trunk with the head's own colours laid over <paramref name="colour"/>.</summary>
     public Vector3 Over(Vector3 colour, in SkinPlace place)
@@ -90,7 +98,7 @@ internal sealed class HeadCoat
 
     /// <summary>A colour made as light and as strong as asked for where it is less, linear RGB.</summary>
     private static Vector3 AtLeast(ColourBlueprint colour, double lightness, double chroma) =>
-        OklchColour.ToLinearRgb(System.Math.Max(colour.Lightness, lightness), System.Math.Max(colour.Chroma, chroma), colour.Hue);
+        OklchColour.ToLinearRgb(Math.Max(colour.Lightness, lightness), Math.Max(colour.Chroma, chroma), colour.Hue);
 
     private Vector3 EyeRing(Vector3 colour, in SkinPlace place)
     {
@@ -100,7 +108,7 @@ internal sealed class HeadCoat
         }
 
         // As wide as the eye's radius, but no halo around the huge eyes of insects.
-        float width = System.Math.Min(subject.EyeRadius, WidestRing);
+        float width = Math.Min(subject.EyeRadius, WidestRing);
         float beyond = Vec.Distance(place.Position, subject.EyeCentre) - subject.EyeRadius;
         return Vec.Lerp(colour, ringColour, 0.65f * Scalar.Smooth((width - beyond) / (0.8f * width)));
     }
@@ -108,12 +116,18 @@ internal sealed class HeadCoat
     private Vector3 Snout(Vector3 colour, in SkinPlace place)
     {
         double[] arc = subject.Body.Arc;
+        if (subject.Beak is BeakForm horn)
+        {
+            // What is below the horn; its edge lies on the coat.
+            return Vec.Lerp(colour, BeakColour * UnderHorn, Scalar.Smooth(Math.Min(horn.Root.Lip, horn.Root.Chin) - HornCover - place.Ring));
+        }
+
         if (subject.Snout == SnoutKind.Beak)
         {
             // Paler towards its root, where its edge meets the feathers, and dark at the tip.
             float beak = Scalar.Smooth((float)((arc[6] - place.Arc) / (0.25 * arc[2])));
             float shade = Scalar.Lerp(0.72f, 1.05f, Scalar.Smooth((float)(place.Arc / (0.6 * arc[6]))));
-            return Vec.Lerp(colour, beakColour * shade, beak);
+            return Vec.Lerp(colour, BeakColour * shade, beak);
         }
 
         float patch = Scalar.Smooth((float)((arc[8] - place.Arc) / arc[4]));

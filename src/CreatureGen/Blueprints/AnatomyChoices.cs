@@ -126,6 +126,14 @@ internal static class AnatomyChoices
         (TongueStyle.Rounded, "rounded"),
         (TongueStyle.Forked, "forked"));
 
+    public static readonly ChoiceNames<BeakStyle> Beak = new(
+        (BeakStyle.Conical, "conical"),
+        (BeakStyle.Hooked, "hooked"),
+        (BeakStyle.Probe, "probe"),
+        (BeakStyle.Flat, "flat"),
+        (BeakStyle.Parrot, "parrot"),
+        (BeakStyle.Large, "large"));
+
     public static readonly ChoiceNames<FeatureKind> Feature = new(
         (FeatureKind.Horn, "horn"),
         (FeatureKind.Spike, "spike"),

@@ -21,7 +21,7 @@ internal static class BlueprintFormat
     public const int First = 1;
 
     /// <summary>The format that is written.</summary>
-    public const int Current = 5;
+    public const int Current = 6;
 
     /// <summary>All formats.</summary>
     public static WholeRange Range => new(First, Current);

@@ -137,6 +137,10 @@ internal static class BlueprintRules
 
         RequireVisible("head.nostrilSize", head?.NostrilSize, problems);
         RequireVisible("head.mouth.teeth", head?.Mouth?.Teeth, problems);
+        if (head?.Beak != null && head.Mouth?.CornerRing == 0)
+        {
+            problems.Add("head.beak", "a beak", "none on a head without a mouth slit (mouth.cornerRing 0)");
+        }
     }
 
     private static void Require(string path, double value, NumberRange range, string reason, ProblemList problems)

@@ -8,7 +8,8 @@ namespace CreatureGen.Blueprints;
 /// <param name="Eyes">Eyes.</param>
 /// <param name="Mouth">Mouth.</param>
 /// <param name="NostrilSize">Radius of a nostril relative to the half width of the muzzle; 0 for none.</param>
-public sealed record HeadBlueprint(ValueList<HeadBump> Bumps, double MuzzleSquareness, EyeBlueprint Eyes, MouthBlueprint Mouth, double NostrilSize)
+/// <param name="Beak">The horn over its jaws; null for none.</param>
+public sealed record HeadBlueprint(ValueList<HeadBump> Bumps, double MuzzleSquareness, EyeBlueprint Eyes, MouthBlueprint Mouth, double NostrilSize, BeakBlueprint? Beak = null)
 {
     /// <summary>Its JSON text on one line, the same in every culture.</summary>
     public override string ToString() => RecordJson.LineOf(this, HeadFields.Head);
@@ -55,4 +56,15 @@ public sealed record MouthBlueprint(int CornerRing, double Opening, double Smile
 {
     /// <summary>Its JSON text on one line, the same in every culture.</summary>
     public override string ToString() => RecordJson.LineOf(this, HeadFields.Mouth);
+}
+
+/// <summary>A beak: an upper bill on the head and a lower one on the jaw, on a mouth that opens. Both lie on the face, whose sections they follow, and end in a tip of their own.</summary>
+/// <param name="Style">Its family.</param>
+/// <param name="Length">How far the tip is ahead of the nose, metres at scale 1.</param>
+/// <param name="Girth">How far the horn stands off the face, relative to its family's.</param>
+/// <param name="Hook">How far it turns down from the nose to its tip, radians.</param>
+public sealed record BeakBlueprint(BeakStyle Style, double Length, double Girth, double Hook)
+{
+    /// <summary>Its JSON text on one line, the same in every culture.</summary>
+    public override string ToString() => RecordJson.LineOf(this, HeadFields.Beak);
 }

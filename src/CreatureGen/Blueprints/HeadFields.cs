@@ -47,6 +47,16 @@ internal static class HeadFields
             visit.Number("teeth", mouth.Teeth, Fraction),
             visit.Choice("tongue", mouth.Tongue, AnatomyChoices.Tongue)));
 
+    /// <summary>Beak.</summary>
+    public static readonly RecordDescription<BeakBlueprint> Beak = new(
+        new BeakBlueprint(BeakStyle.Conical, Length: 0.03, Girth: 1, Hook: 0.2),
+        JsonLayout.Line,
+        (visit, beak) => new BeakBlueprint(
+            visit.Choice("style", beak.Style, AnatomyChoices.Beak),
+            visit.Number("length", beak.Length, new NumberRange(0.002, 1)),
+            visit.Number("girth", beak.Girth, new NumberRange(0.3, 3)),
+            visit.Number("hook", beak.Hook, new NumberRange(-1.5, 2.5))));
+
     /// <summary>The face.</summary>
     public static readonly RecordDescription<HeadBlueprint> Head = new(
         new HeadBlueprint(ValueList<HeadBump>.Empty, 2.2, Eyes.Neutral, Mouth.Neutral, 0),
@@ -56,5 +66,6 @@ internal static class HeadFields
             visit.Number("muzzleSquareness", head.MuzzleSquareness, new NumberRange(1, 8)),
             visit.Record("eyes", head.Eyes, Eyes),
             visit.Record("mouth", head.Mouth, Mouth),
-            visit.Number("nostrilSize", head.NostrilSize, Fraction)));
+            visit.Number("nostrilSize", head.NostrilSize, Fraction),
+            visit.Since(6).Optional("beak", head.Beak, Beak)));
 }

@@ -45,14 +45,19 @@ internal sealed class MouthSlit
     /// <summary>Vertices of the lower lip from the left corner to the right; empty without a mouth.</summary>
     public IReadOnlyList<int> LowerLip => lower;
 
+    /// <summary>How far the nose bulges ahead of the first ring, metres.</summary>
+    public static float NoseBulge(BodyShape shape) => (float)shape.Width[StationRing.Nose] * 0.75f;
+
+    /// <summary>The angle by which the lower jaw is turned down at rest, radians.</summary>
+    public static double AngleOf(MouthBlueprint mouth) => mouth.Opening + LipGap;
+
     /// <summary>Adds the faces of the body, the caps of nose and tail, and the mouth.</summary>
     public static MouthSlit CloseBody(BodySurface body, HeadBlueprint head, TailStyle tailStyle)
     {
         SurfaceBuilder surface = body.Surface;
         BodyShape shape = body.Skin.Shape;
         int corner = head.Mouth.CornerRing;
-        float noseBulge = (float)shape.Width[StationRing.Nose] * 0.75f;
-        int[] cap = CapGrid.Vertices(surface, body.NoseLoop(), CapCells, CapCells, shape.Forward(StationRing.Nose), noseBulge, Address(SurfaceRegion.Nose, 0f, 0));
+        int[] cap = CapGrid.Vertices(surface, body.NoseLoop(), CapCells, CapCells, shape.Forward(StationRing.Nose), NoseBulge(shape), Address(SurfaceRegion.Nose, 0f, 0));
         PairCap(surface, cap, CapCells, CapCells);
         MouthSlit mouth = corner == 0 ? new MouthSlit(0, Array.Empty<int>(), Array.Empty<int>()) : Split(surface, body, cap, corner);
         body.AddFaces(mouth);
@@ -222,7 +227,7 @@ internal sealed class MouthSlit
         int hingeRing = Math.Min(corner + 3, 14);
         Vector3 hinge = body.Skin[hingeRing, LeftSegment];
         hinge.X = 0f;
-        double angle = blueprint.Opening + LipGap;
+        double angle = AngleOf(blueprint);
         for (int i = 0; i <= hingeRing; i++)
         {
             double along = i <= corner ? 1 : Scalar.Smooth((hingeRing - i) / (hingeRing - corner + 1.0));

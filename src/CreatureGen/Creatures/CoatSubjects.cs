@@ -1,4 +1,5 @@
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Beaks;
 using CreatureGen.Appearance;
 using CreatureGen.Appearance.Textures;
 using CreatureGen.Blueprints;
@@ -24,6 +25,7 @@ internal static class CoatSubjects
         return new CoatSubject(grown.Skin.Shape)
         {
             Snout = face.Snout,
+            Beak = blueprint.Head.Beak is BeakBlueprint beak ? BeakForm.Of(beak.Style) : null,
             Mark = face.Class == AnimalClass.Arthropod ? HeadMark.None : HeadMarks.FromSeed(blueprint.Coat.PatternSeed),
             Shell = blueprint.Body.Shell,
             Manes = blueprint.Manes,

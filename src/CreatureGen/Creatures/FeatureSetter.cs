@@ -64,6 +64,7 @@ internal sealed class FeatureSetter
     {
         var setter = new FeatureSetter(blueprint, grown, coat, normals);
         EyeSetter.Add(blueprint, grown, coat, setter.builder, setter.pieces);
+        setter.AddBeak();
         setter.AddNostrils();
         setter.AddTongue();
         setter.AddTeeth();
@@ -92,6 +93,22 @@ internal sealed class FeatureSetter
         return (setter.pieces, setter.appendages);
     }
 
+    private void AddBeak()
+    {
+        if (blueprint.Head.Beak == null || !grown.Mouth.Opens)
+        {
+            return;
+        }
+
+        var beak = new BeakSetter(blueprint, grown);
+        builder.Clear(SurfaceFinish.Horn);
+        beak.AppendUpper(builder, palette, coat.BeakColour);
+        AddRigid("Head");
+        builder.Clear(SurfaceFinish.Horn);
+        beak.AppendLower(builder, coat.BeakColour);
+        AddRigid("Jaw");
+    }
+
     private void AddNostrils()
     {
         if (blueprint.Head.NostrilSize == 0)
@@ -100,7 +117,7 @@ internal sealed class FeatureSetter
         }
 
         builder.Clear();
-        NostrilSetter.Append(builder, blueprint, grown, palette);
+        NostrilSetter.Append(builder, blueprint, grown, coat);
         AddRigid("Head");
     }
 

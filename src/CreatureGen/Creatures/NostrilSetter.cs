@@ -20,6 +20,7 @@ internal static class NostrilSetter
     // Half width of a nostril, in those that its species tells of the muzzle's half width, or of that of its leather.
     private const double Breadth = 0.8;
     private const double OnLeather = 1.05;
+    private const double InBeak = 0.75;
 
     /// <summary>Part of the direction of the muzzle in that of a nostril on its front.</summary>
     private const float Ahead = 0.85f;
@@ -28,12 +29,19 @@ internal static class NostrilSetter
     /// <param name="builder">Where they go.</param>
     /// <param name="blueprint">The creature.</param>
     /// <param name="grown">Its surface.</param>
-    /// <param name="palette">Its colours.</param>
-    public static void Append(PieceBuilder builder, CreatureBlueprint blueprint, GrownSurface grown, CoatPalette palette)
+    /// <param name="coat">Its colours.</param>
+    public static void Append(PieceBuilder builder, CreatureBlueprint blueprint, GrownSurface grown, CoatPainter coat)
     {
+        CoatPalette palette = coat.Palette;
         BodyShape shape = grown.Skin.Shape;
         double size = blueprint.Head.NostrilSize;
-        if (blueprint.Head.MuzzleSquareness > LeatherFrom)
+        if (blueprint.Head.Beak != null && grown.Mouth.Opens)
+        {
+            var beak = new BeakSetter(blueprint, grown);
+            Vector3 colour = beak.IsNostrilSoft ? BeakSetter.SoftColour(palette, coat.BeakColour) : coat.BeakColour;
+            NostrilShape.Append(builder, beak.Nostril, shape.Forward(StationRing.MuzzleMiddle), (float)(InBeak * shape.Width[StationRing.MuzzleMiddle] * size), colour);
+        }
+        else if (blueprint.Head.MuzzleSquareness > LeatherFrom)
         {
             var pad = new NosePad(shape);
             NostrilShape.Append(builder, OnFront(grown.Surface, pad), pad.Up, (float)(OnLeather * pad.HalfWidth * size), palette.Muzzle);

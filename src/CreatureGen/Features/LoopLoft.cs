@@ -17,7 +17,8 @@ internal static class LoopLoft
     /// <param name="startColour">Linear RGB there.</param>
     /// <param name="end">The pole behind the last loop.</param>
     /// <param name="endColour">Linear RGB there.</param>
-    public static void Close(PieceBuilder builder, int first, int sides, Vector3 start, Vector3 startColour, Vector3 end, Vector3 endColour)
+    /// <param name="middle">The vertex of a loop about which it is its own mirror image, so that its triangles are too; −1 where it is not.</param>
+    public static void Close(PieceBuilder builder, int first, int sides, Vector3 start, Vector3 startColour, Vector3 end, Vector3 endColour, int middle = -1)
     {
         int loops = (builder.VertexCount - first) / sides;
         for (int i = 0; i < loops; i++)
@@ -35,7 +36,7 @@ internal static class LoopLoft
 
             if (i > 0)
             {
-                builder.Band(loop - sides, loop, sides);
+                Join(builder, loop - sides, loop, sides, middle);
             }
         }
 
@@ -45,5 +46,27 @@ internal static class LoopLoft
         int endPole = builder.Vertex(end, axis, endColour);
         builder.FanBelow(first, startPole, sides);
         builder.Fan(last, endPole, sides);
+    }
+
+    private static void Join(PieceBuilder builder, int loop, int next, int sides, int middle)
+    {
+        if (middle < 0)
+        {
+            builder.Band(loop, next, sides);
+            return;
+        }
+
+        for (int k = 0; k < sides; k++)
+        {
+            int k2 = (k + 1) % sides;
+            if ((k + sides - middle) % sides < sides / 2)
+            {
+                builder.Quad(loop + k, loop + k2, next + k2, next + k);
+            }
+            else
+            {
+                builder.Quad(loop + k2, next + k2, next + k, loop + k);
+            }
+        }
     }
 }

@@ -47,6 +47,7 @@ public static class Ageing
             {
                 Eyes = b.Head.Eyes with { Radius = b.Head.Eyes.Radius * By(0.3) },
                 Mouth = b.Head.Mouth with { Teeth = y > 0.5 ? 0 : b.Head.Mouth.Teeth },
+                Beak = b.Head.Beak is BeakBlueprint beak ? beak with { Length = beak.Length * By(-0.3) } : null,
             },
             Tail = b.Tail with { Size = b.Tail.Size * By(-0.3) },
             Legs = b.Legs.Each(leg => leg with { Length = leg.Length * By(-0.12), Stoutness = leg.Stoutness * By(0.15), FootSize = leg.FootSize * By(0.15), ClawLength = leg.ClawLength * By(-0.6) }),

@@ -67,9 +67,14 @@ public static class Mutation
             Frills = blueprint.Frills.Each(frill => frill with { Length = Size(frill.Length), Tilt = Angle(frill.Tilt) }),
             Coat = Recoloured(blueprint.Coat, m, seed.Child("coat").Stream()),
         };
+        mutant = WithOtherBeak(mutant, m, seed.Child("beak").Stream());
         RandomStream limbs = seed.Child("limbs").Stream();
         return FieldLimiter.Limit(limbs.Chance(LimbOdds * strength) ? WithOtherLegs(mutant, limbs) : mutant, CreatureFields.Creature);
     }
+
+    private static CreatureBlueprint WithOtherBeak(CreatureBlueprint blueprint, double m, RandomStream random) => blueprint.Head.Beak is BeakBlueprint beak
+        ? blueprint with { Head = blueprint.Head with { Beak = beak with { Length = beak.Length * random.LogNormal(SizeSpread * m, 0.4, 2.5), Hook = beak.Hook + random.Normal(0, AngleSpread * m) } } }
+        : blueprint;
 
     /// <summary>Turns the whole palette, so that its colours stay of one mood, and draws the pattern anew now and then.</summary>
     private static CoatBlueprint Recoloured(CoatBlueprint coat, double m, RandomStream random)

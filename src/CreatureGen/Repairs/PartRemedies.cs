@@ -55,6 +55,7 @@ internal static class PartRemedies
         log.Change(log.Blueprint with { Head = head with { Eyes = eyes } }, "eyes are on the head, two of them apart");
         head = log.Blueprint.Head;
         log.Change(log.Blueprint with { Head = head with { NostrilSize = Visible(head.NostrilSize), Mouth = head.Mouth with { Teeth = Visible(head.Mouth.Teeth) } } }, "it was too small to have an area");
+        log.Change(log.Blueprint with { Head = log.Blueprint.Head with { Beak = head.Mouth.CornerRing == 0 ? null : head.Beak } }, "a beak is on a mouth that opens");
     }
 
     private static double Clamp(double value, NumberRange range) => Math.Min(range.Maximum, Math.Max(range.Minimum, value));

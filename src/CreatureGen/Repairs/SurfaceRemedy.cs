@@ -29,6 +29,7 @@ internal static class SurfaceRemedy
         ("teeth", b => b.Head.Mouth.Teeth > 0 ? 1 : 0, (b, _) => b with { Head = b.Head with { Mouth = b.Head.Mouth with { Teeth = 0 } } }),
         ("nostrils", b => b.Head.NostrilSize > 0 ? 1 : 0, (b, _) => b with { Head = b.Head with { NostrilSize = 0 } }),
         ("tongues", b => b.Head.Mouth.Tongue != TongueStyle.None ? 1 : 0, (b, _) => b with { Head = b.Head with { Mouth = b.Head.Mouth with { Tongue = TongueStyle.None } } }),
+        ("beaks", b => b.Head.Beak != null ? 1 : 0, (b, _) => b with { Head = b.Head with { Beak = null } }),
         ("claws", b => CountClaws(b.Legs), (b, i) => b with { Legs = WithoutClaws(b.Legs, i) }),
         ("shells", b => b.Body.Shell.Style != ShellStyle.None ? 1 : 0, (b, _) => b with { Body = b.Body with { Shell = b.Body.Shell with { Style = ShellStyle.None } } }),
         ("legs", b => b.Legs.Count, (b, i) => b with { Legs = Without(b.Legs, i) }),

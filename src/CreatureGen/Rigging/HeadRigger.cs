@@ -1,5 +1,7 @@
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Beaks;
+using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
 using CreatureGen.Maths;
 
@@ -30,6 +32,11 @@ internal static class HeadRigger
         // The chin: under the middle of the lower lip.
         Vector3 chin = input.Surface.Positions[mouth.LowerLip[mouth.LowerLip.Length / 2]] - (shape.Up(StationRing.Nose) * (float)(shape.Bottom[StationRing.Nose] / 2));
         chin.X = 0f;
+        if (input.Blueprint.Head.Beak is BeakBlueprint beak)
+        {
+            chin += shape.Forward(StationRing.Nose) * (BeakForm.Of(beak.Style).LowerLength * (float)beak.Length);
+        }
+
         Vector3 direction = chin - hinge;
         int jaw = skeleton.Add(head, Side.Median, new JointDefinition("Jaw", JointRole.Jaw, hinge, JointFrame.Median(direction), Vec.Length(direction), JointLimits.Body(JointRole.Jaw)));
         skeleton.AddEnd(jaw, Side.Median, "JawEnd", chin);

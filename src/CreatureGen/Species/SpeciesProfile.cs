@@ -41,6 +41,9 @@ internal sealed record SpeciesProfile
     /// <summary>What its snout wears.</summary>
     public SnoutKind Snout { get; init; }
 
+    /// <summary>Families of its beak, where its snout wears one.</summary>
+    public Weighted<BeakStyle>[] Beaks { get; init; } = Weights.Of((BeakStyle.Conical, 1.0));
+
     /// <summary>What surrounds its eyes.</summary>
     public EyeRim EyeRim { get; init; } = EyeRim.Lids;
 

@@ -67,7 +67,7 @@ public sealed class RecordTextTests
     {
         IEnumerable<Type> records = typeof(CreatureBlueprint).Assembly.GetTypes()
             .Where(type => type.Namespace is "CreatureGen.Blueprints" or "CreatureGen.Sampling" && type.IsPublic && type.GetMethod("<Clone>$") is not null);
-        Assert.Equal(32, records.Count());
+        Assert.Equal(33, records.Count());
         foreach (Type record in records)
         {
             MethodInfo print = record.GetMethod(nameof(ToString), Type.EmptyTypes)!;

@@ -39,11 +39,7 @@ internal static class HeadSampler
     private const double SingleSink = 0.45;
     private const double SingleForward = 1.3;
 
-    /// <summary>How far the root of a beak stands off the skull, in radii of the section.</summary>
-    private const double BeakEdge = 0.08;
-
-    // A beak of another body: how far the ridge along its top rises, and how far its sides are flat below it, in radii of the section: a round one is a disc from the front.
-    private const double Ridge = 0.2;
+    /// <summary>A beak of another body: how far the sides of the face below it are flat, in radii of the section: a round one is a disc from the front.</summary>
     private const double Sides = 0.14;
 
     // An insect's face of a strange creature: depth of the groove between forehead and lip, and rise of the lip, in radii of the section.
@@ -99,7 +95,7 @@ internal static class HeadSampler
         RandomStream random = builder.Stream("face");
         double mood = random.Normal(0, 0.5) + species.Mood;
         double smile = Scalar.Clamp(random.Normal(0.25, 0.4) - (0.35 * mood), -0.7, 1);
-        return new HeadBlueprint(Bumps(builder, mood), species.MuzzleSquareness, Eyes(builder, mood), Mouth(builder, smile), species.Nostril);
+        return new HeadBlueprint(Bumps(builder, mood), species.MuzzleSquareness, Eyes(builder, mood), Mouth(builder, smile), species.Nostril, BeakSampler.Sample(builder));
     }
 
     /// <summary>Adds ears to the creature.</summary>
@@ -170,12 +166,7 @@ internal static class HeadSampler
 
         if (species.Snout == SnoutKind.Beak)
         {
-            // The horn of a beak lies on the skull with an edge.
-            bumps.Add(new HeadBump(Ring: 5.4, Segment: 8, RingSpread: 0.8, SegmentSpread: 16, Amount: BeakEdge));
-            bumps.Add(new HeadBump(Ring: 7, Segment: 8, RingSpread: 0.9, SegmentSpread: 16, Amount: -0.6 * BeakEdge));
-            double mixed = Mixed(builder);
-            Add(2, 0, 3.6, 1.2, Ridge * mixed);
-            Add(2, 3.4, 3.2, 1.5, -Sides * mixed);
+            Add(2, 3.4, 3.2, 1.5, -Sides * Mixed(builder));
         }
 
         if (species.Class == AnimalClass.Arthropod)

@@ -60,6 +60,7 @@ internal static class IndividualSampler
             Bumps = head.Bumps.Each(bump => bump with { Amount = bump.Amount * traits.Bones }),
             Eyes = head.Eyes with { Radius = radius, UpperLid = head.Eyes.UpperLid + lid },
             Mouth = head.Mouth with { Opening = Math.Min(head.Mouth.Opening, HeadSampler.WidestOpening(builder)), Teeth = head.Mouth.Teeth * traits.Claws },
+            Beak = head.Beak is BeakBlueprint beak ? beak with { Length = BeakSampler.OffGround(builder, beak.Length * half * traits.Claws, beak.Hook) } : null,
         };
     }
 

@@ -30,7 +30,7 @@ internal static class Avian
             (200, -5, 60, 55, 50),     // tail, first third
             (220, -5, 45, 36, 30),     // tail, second third
             (160, -5, 20, 16, 14)),    // tail tip
-        Class = AnimalClass.Bird, Cover = SkinCover.Feathers, CoverSize = 0.04f, Snout = SnoutKind.Beak,
+        Class = AnimalClass.Bird, Cover = SkinCover.Feathers, CoverSize = 0.04f, Snout = SnoutKind.Beak, Beaks = Weights.Of((BeakStyle.Conical, 1.0), (BeakStyle.Hooked, 0.4), (BeakStyle.Probe, 0.6)),
         Motion = new MotionTraits { StandingPitch = 24, BobsHead = true },
         Skull = new SkullShape { Chin = 0 }, BipedHipHeight = (0.95, 1.4),
         Crest = 0.45, BackRow = 0, FlierLegPairs = Weights.Of((1, 1)),

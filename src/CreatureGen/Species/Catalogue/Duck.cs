@@ -31,6 +31,7 @@ internal static class Duck
             (100, -24, 88, 45, 50),     // tail, first third
             (100, -26, 74, 25, 30),     // tail, second third
             (60, -28, 30, 10, 10)),     // tail tip
+        Beaks = Weights.Of((BeakStyle.Flat, 1.0)),
         Motion = new MotionTraits { StandingPitch = 20, BobsHead = true },
         TorsoLength = (0.2, 0.3),
         Frequency = (0.19, 0.25, 0),

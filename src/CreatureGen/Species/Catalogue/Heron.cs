@@ -31,6 +31,7 @@ internal static class Heron
             (120, 8, 72, 45, 45),      // tail, first third
             (120, 6, 62, 28, 30),      // tail, second third
             (80, 5, 20, 10, 10)),      // tail tip
+        Beaks = Weights.Of((BeakStyle.Probe, 1.0)),
         Motion = new MotionTraits { StandingPitch = 32, BobsHead = true },
         TorsoLength = (0.24, 0.38),
         Frequency = (0.19, 0.22, 0),

@@ -31,6 +31,7 @@ internal static class Ostrich
             (100, -15, 112, 62, 62),    // tail, first third
             (90, -10, 92, 36, 40),      // tail, second third
             (60, -5, 30, 12, 12)),      // tail tip
+        Beaks = Weights.Of((BeakStyle.Flat, 1.0)),
         Motion = new MotionTraits { StandingPitch = 15, BobsHead = true },
         TorsoLength = (0.7, 0.95),
         Frequency = (0.19, 0, 0),

@@ -31,6 +31,7 @@ internal static class Owl
             (110, 28, 76, 40, 40),     // tail, first third
             (110, 26, 72, 24, 24),     // tail, second third
             (80, 24, 40, 10, 10)),     // tail tip
+        Beaks = Weights.Of((BeakStyle.Hooked, 1.0)),
         Motion = new MotionTraits { StandingPitch = 48, BobsHead = true },
         TorsoLength = (0.12, 0.28),
         Frequency = (0.17, 0.2, 0),

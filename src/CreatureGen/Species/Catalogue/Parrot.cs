@@ -31,6 +31,7 @@ internal static class Parrot
             (220, 46, 62, 42, 42),     // tail, first third
             (260, 48, 52, 26, 26),     // tail, second third
             (200, 50, 30, 10, 10)),    // tail tip
+        Beaks = Weights.Of((BeakStyle.Parrot, 1.0)),
         Motion = new MotionTraits { StandingPitch = 40, BobsHead = true },
         TorsoLength = (0.1, 0.28),
         Frequency = (0.15, 0.25, 0),

@@ -31,6 +31,7 @@ internal static class Penguin
             (70, 34, 70, 50, 46),      // tail, first third
             (60, 30, 56, 30, 30),      // tail, second third
             (50, 28, 30, 12, 12)),     // tail tip
+        Beaks = Weights.Of((BeakStyle.Conical, 0.5), (BeakStyle.Hooked, 0.5)),
         Motion = new MotionTraits { StandingPitch = 62, Waddles = true, BobsHead = true },
         TorsoLength = (0.3, 0.65),
         Frequency = (0.16, 0, 0),

@@ -31,6 +31,7 @@ internal static class Raptor
             (160, 4, 78, 45, 45),      // tail, first third
             (180, 2, 84, 28, 28),      // tail, second third
             (140, 0, 56, 10, 10)),     // tail tip
+        Beaks = Weights.Of((BeakStyle.Hooked, 1.0)),
         Motion = new MotionTraits { StandingPitch = 38, BobsHead = true },
         TorsoLength = (0.2, 0.38),
         Frequency = (0.15, 0.32, 0),

@@ -31,6 +31,7 @@ internal static class Rooster
             (130, -52, 78, 56, 50),    // tail, first third
             (130, -56, 58, 34, 30),    // tail, second third
             (90, -58, 30, 12, 12)),    // tail tip
+        Beaks = Weights.Of((BeakStyle.Conical, 1.0)),
         Motion = new MotionTraits { StandingPitch = 16, BobsHead = true },
         TorsoLength = (0.2, 0.27),
         Frequency = (0.14, 0.1, 0),

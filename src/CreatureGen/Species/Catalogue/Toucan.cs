@@ -31,6 +31,7 @@ internal static class Toucan
             (200, 42, 62, 42, 42),     // tail, first third
             (220, 44, 52, 26, 26),     // tail, second third
             (160, 46, 30, 10, 10)),    // tail tip
+        Beaks = Weights.Of((BeakStyle.Large, 1.0)),
         Motion = new MotionTraits { StandingPitch = 40, BobsHead = true },
         TorsoLength = (0.15, 0.24),
         Frequency = (0.14, 0.22, 0),

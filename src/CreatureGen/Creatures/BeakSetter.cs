@@ -1,0 +1,136 @@
+using System;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Beaks;
+using CreatureGen.Appearance;
+using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
+using CreatureGen.Features;
+using CreatureGen.Limbs;
+using CreatureGen.Maths;
+
+namespace CreatureGen.Creatures;
+
+/// <summary>Sets the two bills of a beak on the jaws of a creature.</summary>
+internal sealed class BeakSetter
+{
+    /// <summary>Rings of the muzzle that bills may lie on, and one behind them.</summary>
+    private const int Rings = 9;
+
+    /// <summary>Segments from one column of a bill to the next.</summary>
+    private const int Stride = 2;
+
+    private const int Chin = BodyGrid.Segments / 2;
+
+    // How far the cutting edges lap over the lips, in radii of the section: the upper one over the lower one.
+    private const float UpperLap = 0.12f;
+    private const float LowerLap = 0.01f;
+
+    /// <summary>Thickness of the lower bill along the lip, relative to that of its side: it lies within the upper one.</summary>
+    private const float LowerTuck = 0.25f;
+
+    /// <summary>Least length of a bill beyond the nose, in bulges of the nose.</summary>
+    private const float LeastLength = 1.4f;
+
+    // Shades of horn: at the root, along the middle line of the upper bill, on the lower bill, and of soft skin at the root.
+    private const float AtRoot = 0.8f;
+    private const float Lower = 0.95f;
+    private const float Soft = 0.45f;
+
+    /// <summary>Breadth of the change to the shade of the tip, as a share of the beak.</summary>
+    private const float Blur = 0.1f;
+
+    private readonly BeakBlueprint beak;
+    private readonly BeakForm form;
+    private readonly float onFace;
+    private readonly BillShape upper;
+    private readonly BillShape lower;
+
+    /// <summary>Fits the beak of a creature that has one to its face.</summary>
+    public BeakSetter(CreatureBlueprint blueprint, GrownSurface grown)
+    {
+        beak = blueprint.Head.Beak ?? throw new ArgumentException("the creature has no beak", nameof(blueprint));
+        form = BeakForm.Of(beak.Style);
+        BodyShape shape = grown.Skin.Shape;
+        float nose = MouthSlit.NoseBulge(shape);
+        float length = Math.Max((float)beak.Length, LeastLength * nose);
+        float covered = (float)BodyShape.At(shape.Arc, form.Root.Top);
+        onFace = covered / (covered + length);
+        upper = new BillShape(Upper(grown), form.Upper, (float)beak.Girth)
+        {
+            Root = (form.Root.Top, form.Root.Lip), Length = length, Nose = nose, Turn = (float)beak.Hook, Lap = UpperLap, Cere = form.Cere,
+        };
+        lower = new BillShape(LowerOf(grown, MouthSlit.AngleOf(blueprint.Head.Mouth)), form.Lower, (float)beak.Girth)
+        {
+            Root = (form.Root.Chin, form.Root.Lip - 0.3f), Length = Math.Max(length * form.LowerLength, LeastLength * nose), Nose = nose, Turn = -(float)beak.Hook * form.LowerLength, Lap = LowerLap, Tuck = LowerTuck,
+        };
+    }
+
+    /// <summary>The skin of the beak at the place of the left nostril.</summary>
+    public SurfacePoint Nostril => upper.Place(form.Nostril.Along, form.Nostril.Segment / Stride);
+
+    /// <summary>Whether nostrils are in soft skin.</summary>
+    public bool IsNostrilSoft => form.Nostril.Along < form.Cere;
+
+    /// <summary>Appends the upper bill.</summary>
+    public void AppendUpper(PieceBuilder builder, CoatPalette palette, Vector3 horn) => upper.Append(builder, true, (along, column) =>
+        along < form.Cere ? SoftColour(palette, horn) : Shaded(horn, along, form.Cere));
+
+    /// <summary>Appends the lower bill.</summary>
+    public void AppendLower(PieceBuilder builder, Vector3 horn) => lower.Append(builder, false, (along, column) => Shaded(horn, along, 0f) * Lower);
+
+    /// <summary>The colour of soft skin at the root: that of the legs, in the light.</summary>
+    public static Vector3 SoftColour(CoatPalette palette, Vector3 horn) => Vec.Lerp(palette.Limb, horn, Soft);
+
+    private Vector3 Shaded(Vector3 horn, float along, float root)
+    {
+        float edge = Scalar.Lerp(AtRoot, 1f, Scalar.Smooth((along - root) / 0.3f));
+        float share = along < 1f ? along * onFace : onFace + ((along - 1f) * (1f - onFace));
+        float tip = form.TipMark > 0f ? Scalar.Smooth(((share - 1f + form.TipMark) / Blur) + 0.5f) : 0f;
+        return horn * (edge * Scalar.Lerp(1f, form.TipShade, tip));
+    }
+
+    private static BillFace Upper(GrownSurface grown)
+    {
+        BodyShape shape = grown.Skin.Shape;
+        const int columns = (BodyGrid.LipSegment / Stride) + 1;
+        return Face(shape, columns, shape.Forward(StationRing.Nose), ring => Vector3.Zero - shape.Up(ring), (ring, k) =>
+        {
+            int segment = k * Stride;
+            return new SurfacePoint(grown.Surface.Positions[grown.BodyVertex(ring, segment)], grown.Skin.At(ring, segment).Normal);
+        });
+    }
+
+    private static BillFace LowerOf(GrownSurface grown, double angle)
+    {
+        BodyShape shape = grown.Skin.Shape;
+        const int columns = ((Chin - BodyGrid.LipSegment) / Stride) + 1;
+        return Face(shape, columns, Turned(shape.Forward(StationRing.Nose)), ring => Turned(shape.Up(ring)), (ring, k) =>
+        {
+            int segment = Chin - (k * Stride);
+            int vertex = segment == BodyGrid.LipSegment && ring < grown.Mouth.CornerRing ? grown.Mouth.LowerLip[grown.Mouth.CornerRing - ring] : grown.BodyVertex(ring, segment);
+            return new SurfacePoint(grown.Surface.Positions[vertex], Turned(grown.Skin.At(ring, segment).Normal));
+        });
+
+        Vector3 Turned(Vector3 v) => Vec.Rotate(v, Vector3.UnitX, angle);
+    }
+
+    private static BillFace Face(BodyShape shape, int columns, Vector3 forward, Func<int, Vector3> toMouth, Func<int, int, SurfacePoint> at)
+    {
+        var skin = new SurfacePoint[Rings * columns];
+        var directions = new Vector3[Rings];
+        float[] radius = new float[Rings];
+        for (int ring = 0; ring < Rings; ring++)
+        {
+            directions[ring] = toMouth(ring);
+            radius[ring] = (float)((shape.Width[ring] + (0.5 * (shape.Top[ring] + shape.Bottom[ring]))) / 2);
+            for (int k = 0; k < columns; k++)
+            {
+                SurfacePoint point = at(ring, k);
+                skin[(ring * columns) + k] = k > 0 ? point : new SurfacePoint(new Vector3(0f, point.Position.Y, point.Position.Z), Vec.Normalize(new Vector3(0f, point.Normal.Y, point.Normal.Z), Vector3.Zero - directions[ring]));
+            }
+        }
+
+        return new BillFace(skin, columns, directions, radius, forward);
+    }
+}
