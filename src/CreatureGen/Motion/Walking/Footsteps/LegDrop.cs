@@ -13,13 +13,13 @@ internal struct LegDrop
     private bool known;
 
     /// <summary>Goes on to what the legs ask for.</summary>
-    /// <param name="dt">Seconds.</param>
+    /// <param name="dt">Seconds; 0 for one that is posed anew, who takes all of it.</param>
     /// <param name="legLength">Metres.</param>
     /// <param name="hindDrop">Asked of the hind body, metres; receives what it comes down.</param>
     /// <param name="foreDrop">The same of the fore body.</param>
     public void Follow(float dt, float legLength, ref float hindDrop, ref float foreDrop)
     {
-        if (known)
+        if (known && dt > 0f)
         {
             float most = Rate * legLength * dt;
             hindDrop = Scalar.Clamp(hindDrop, hind - most, hind + most);

@@ -31,9 +31,6 @@ internal struct LegRoom
     /// <summary>Part of a swing in which its leg stops drawing the body down.</summary>
     private const float LettingGo = 0.25f;
 
-    /// <summary>The same of one that is let go in the middle of its stance: the body that it holds down would spring up.</summary>
-    private const float LettingGoEarly = 0.4f;
-
     /// <summary>Part of a swing from which on its leg draws the body to where it will stand: in less time a knee near straight that stands beside it snaps.</summary>
     private const float Arriving = 0.6f;
 
@@ -77,9 +74,9 @@ internal struct LegRoom
         float max = (leg.Lateral ? LateralDrop : MaxDrop) * leg.Length;
         float asked = Math.Min(Asked(leg, chord, distance), max);
 
-        // One that has left the ground draws the body no farther down than it did there, and one that was let go early does so by its time alone: the body would come up with the foot.
+        // One that has left the ground draws the body no farther down than it did there.
         bool leaves = foot.Phase == FootPhase.Swing && arriving == 0f;
-        float drawn = leaves ? Scalar.Lerp(Math.Min(asked, foot.Leg.Drawn), foot.Leg.Drawn, foot.Leg.Held) : asked;
+        float drawn = leaves ? Math.Min(asked, foot.Leg.Drawn) : asked;
         foot.Leg.Drawn = leaves ? foot.Leg.Drawn : weight * asked;
         float drop = weight * drawn;
         float raise = weight * Math.Min(Beyond(leg.FoldedReach - distance, FoldedWidth * leg.Reach) / steep, MaxRaise * leg.Length);
@@ -130,7 +127,7 @@ internal struct LegRoom
     private static float Net(float drop, float rise) => Math.Max(drop - (2f * rise), -rise);
 
     /// <summary>How much a leg counts that leaves the ground, 0..1: less and less.</summary>
-    private static float Leaving(in Foot foot) => foot.Phase == FootPhase.Stance ? 1f : 1f - Scalar.Smooth(foot.Swing / Scalar.Lerp(LettingGo, LettingGoEarly, foot.Leg.Held));
+    private static float Leaving(in Foot foot) => foot.Phase == FootPhase.Stance ? 1f : 1f - Scalar.Smooth(foot.Swing / LettingGo);
 
     /// <summary>How much one counts that comes down, 0..1: more and more.</summary>
     private static float Arrival(LegRig leg, in Foot foot)

@@ -23,7 +23,7 @@ internal readonly record struct Effort(float HindDrop, float ForeDrop, float Shi
     // Leg lengths for each part of gravity.
     private const float CrouchOfStart = 0.16f;
     private const float DropOfStart = 0.30f;
-    private const float SitOfBraking = 0.27f;
+    private const float SitOfBraking = 0.24f;
     private const float RiseOfBraking = 0.10f;
     private const float ShiftOfStart = 0.14f;
     private const float ShiftOfBraking = 0.20f;

@@ -24,11 +24,11 @@ public sealed class LegDropTests
     }
 
     [Fact]
-    public void The_first_that_is_asked_is_taken_at_once_and_where_no_time_passes_nothing_changes()
+    public void All_that_is_asked_is_taken_at_once_at_first_and_where_no_time_passes()
     {
         var drop = new LegDrop();
-        Assert.Equal((0.07f, 0.02f), Follow(ref drop, 0f, 0.07f, 0.02f));
-        Assert.Equal((0.07f, 0.02f), Follow(ref drop, 0f, 0f, 0f));
+        Assert.Equal((0.07f, 0.02f), Follow(ref drop, 0.01f, 0.07f, 0.02f));
+        Assert.Equal((0f, 0f), Follow(ref drop, 0f, 0f, 0f));
     }
 
     private static (float Hind, float Fore) Follow(ref LegDrop drop, float seconds, float hind, float fore)
