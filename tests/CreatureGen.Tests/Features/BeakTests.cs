@@ -56,7 +56,7 @@ public sealed class BeakTests
             {
                 PieceChecks.IsSound(bill);
                 PieceChecks.IsSymmetric(bill);
-                PieceChecks.NormalsFollowFaces(bill, 0.9);
+                PieceChecks.NormalsFollowFaces(bill, 0.85);
                 Assert.InRange(PieceChecks.TriangleCount(bill), 250, 560);
             }
         }

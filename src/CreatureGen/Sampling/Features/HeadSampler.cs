@@ -39,7 +39,8 @@ internal static class HeadSampler
     private const double SingleSink = 0.45;
     private const double SingleForward = 1.3;
 
-    /// <summary>A beak of another body: how far the sides of the face below it are flat, in radii of the section: a round one is a disc from the front.</summary>
+    // A face below the beak of another body: how far the ridge along its top rises, and how far its sides are flat below it, in radii of the section: a round one is a disc from the front.
+    private const double Ridge = 0.2;
     private const double Sides = 0.14;
 
     // An insect's face of a strange creature: depth of the groove between forehead and lip, and rise of the lip, in radii of the section.
@@ -166,7 +167,9 @@ internal static class HeadSampler
 
         if (species.Snout == SnoutKind.Beak)
         {
-            Add(2, 3.4, 3.2, 1.5, -Sides * Mixed(builder));
+            double mixed = Mixed(builder);
+            Add(2, 0, 3.6, 1.2, Ridge * mixed);
+            Add(2, 3.4, 3.2, 1.5, -Sides * mixed);
         }
 
         if (species.Class == AnimalClass.Arthropod)
