@@ -54,7 +54,7 @@ public class FlankTests
         Assert.Empty(wrong);
     }
 
-    /// <summary>A hind foot was lifted past its hip as the body went over, and its ball turned by 490 rad/s.</summary>
+    /// <summary>A hind foot was lifted past its hip as the body went over, and its ball turned by 490 rad/s. What hangs on springs is not posed, and gives way at once where the head presses it to the ground.</summary>
     [Theory]
     [InlineData("Die")]
     [InlineData("Sleep")]
@@ -67,6 +67,7 @@ public class FlankTests
         var animator = new CreatureAnimator(profile);
         animator.Teleport(animator.Root, FlatGround.Level);
         animator.Perform(ability);
+        HashSet<int> hung = [.. profile.SpringRigs.SelectMany(rig => rig.Joints.ToArray())];
         Quaternion[] before = animator.LocalPose.Rotations.ToArray();
         double fastest = 0;
         for (int i = 0; i < Fine * ability.SecondsToLast; i++)
@@ -74,7 +75,8 @@ public class FlankTests
             animator.Update(1f / Fine, default, FlatGround.Level);
             for (int j = 0; j < before.Length; j++)
             {
-                fastest = Math.Max(fastest, Fine * Rotation.Angle(Rotation.Multiply(Rotation.Inverse(before[j]), animator.LocalPose.Rotations[j])));
+                double turn = Rotation.Angle(Rotation.Multiply(Rotation.Inverse(before[j]), animator.LocalPose.Rotations[j]));
+                fastest = hung.Contains(j) ? fastest : Math.Max(fastest, Fine * turn);
                 before[j] = animator.LocalPose.Rotations[j];
             }
         }
