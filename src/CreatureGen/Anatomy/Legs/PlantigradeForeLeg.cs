@@ -24,8 +24,8 @@ internal static class PlantigradeForeLeg
                 new() { Forward = -70, Down = 460, Outward = 40, ForeRadius = 580, SideRadius = 510 },
                 new() { Forward = -20, Down = 680, Outward = 30, ForeRadius = 440, SideRadius = 435 },
                 new() { Forward = -10, Down = 800, Outward = 20, ForeRadius = 330, SideRadius = 345 },
-                new() { Forward = 80, Down = 915, Outward = 20, ForeRadius = 290, SideRadius = 490 },
-                new() { Forward = 200, Down = 955, Outward = 20, ForeRadius = 270, SideRadius = 550 },
+                new() { Forward = 80, Down = 915, Outward = 20, ForeRadius = 290, SideRadius = 485 },
+                new() { Forward = 200, Down = 955, Outward = 20, ForeRadius = 270, SideRadius = 540 },
             },
         },
         build: new LegBuild(LimbPosture.Under)

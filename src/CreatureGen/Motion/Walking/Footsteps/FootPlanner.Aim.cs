@@ -11,6 +11,9 @@ internal sealed partial class FootPlanner
     /// <summary>How quickly a swing takes up a change of what is asked, per second.</summary>
     private const float AimRate = 15f;
 
+    /// <summary>Seconds in which a foot is brought to a place that changes late at least: after a long update it may change by a sixth of a leg in the last moment.</summary>
+    private const float LastSeconds = 0.05f;
+
     /// <summary>How far the place that is asked for goes on until ground is sought anew, leg lengths.</summary>
     private const float SeekAgain = 0.03f;
 
@@ -54,7 +57,7 @@ internal sealed partial class FootPlanner
     {
         float fraction = aimDecay.Fraction(AimRate * step.Step);
         float left = flight * (StepPhase.Frozen - swing) / (1f - swing);
-        return arrives && left > 0f ? Math.Max(fraction, Math.Min(step.Step / left, 1f)) : fraction;
+        return arrives && left > 0f ? Math.Max(fraction, Math.Min(step.Step / Math.Max(left, LastSeconds), 1f)) : fraction;
     }
 
     /// <summary>Sets a foot on the ground under where it goes, off edges and out of walls: all of that is found at once, and anew only as what is asked for goes on or the place comes to be in a wall.</summary>
