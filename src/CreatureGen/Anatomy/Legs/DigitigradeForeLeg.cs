@@ -23,8 +23,8 @@ internal static class DigitigradeForeLeg
                 new() { Forward = -70, Down = 400, Outward = 30, ForeRadius = 440, SideRadius = 385 },
                 new() { Forward = -30, Down = 620, Outward = 20, ForeRadius = 290, SideRadius = 285 },
                 new() { Forward = 0, Down = 820, Outward = 10, ForeRadius = 230, SideRadius = 220 },
-                new() { Forward = 30, Down = 945, Outward = 10, ForeRadius = 270, SideRadius = 355 },
-                new() { Forward = 110, Down = 965, Outward = 10, ForeRadius = 260, SideRadius = 430 },
+                new() { Forward = 30, Down = 945, Outward = 10, ForeRadius = 270, SideRadius = 365 },
+                new() { Forward = 110, Down = 965, Outward = 10, ForeRadius = 260, SideRadius = 440 },
             },
         },
         build: new LegBuild(LimbPosture.Under)

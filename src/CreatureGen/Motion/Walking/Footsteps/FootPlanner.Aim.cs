@@ -12,7 +12,7 @@ internal sealed partial class FootPlanner
     private const float AimRate = 15f;
 
     /// <summary>Seconds in which a foot is brought to a place that changes late at least: after a long update it may change by a sixth of a leg in the last moment.</summary>
-    private const float LastSeconds = 0.05f;
+    private const float LastSeconds = 0.03f;
 
     /// <summary>How far the place that is asked for goes on until ground is sought anew, leg lengths.</summary>
     private const float SeekAgain = 0.03f;
