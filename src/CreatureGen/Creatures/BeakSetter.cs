@@ -40,16 +40,14 @@ internal sealed class BeakSetter
     /// <summary>Breadth of the change to the shade of the tip, as a share of the beak.</summary>
     private const float Blur = 0.1f;
 
-    private readonly BeakBlueprint beak;
     private readonly BeakForm form;
     private readonly float onFace;
     private readonly BillShape upper;
     private readonly BillShape lower;
 
-    /// <summary>Fits the beak of a creature that has one to its face.</summary>
-    public BeakSetter(CreatureBlueprint blueprint, GrownSurface grown)
+    /// <summary>Fits a beak to the face of a creature whose mouth opens.</summary>
+    public BeakSetter(BeakBlueprint beak, MouthBlueprint mouth, GrownSurface grown)
     {
-        beak = blueprint.Head.Beak ?? throw new ArgumentException("the creature has no beak", nameof(blueprint));
         form = BeakForm.Of(beak.Style);
         BodyShape shape = grown.Skin.Shape;
         float nose = MouthSlit.NoseBulge(shape);
@@ -60,7 +58,7 @@ internal sealed class BeakSetter
         {
             Root = (form.Root.Top, form.Root.Lip), Length = length, Nose = nose, Turn = (float)beak.Hook, Lap = UpperLap, Cere = form.Cere,
         };
-        lower = new BillShape(LowerOf(grown, MouthSlit.AngleOf(blueprint.Head.Mouth)), form.Lower, (float)beak.Girth)
+        lower = new BillShape(LowerOf(grown, MouthSlit.AngleOf(mouth)), form.Lower, (float)beak.Girth)
         {
             Root = (form.Root.Chin, form.Root.Lip - 0.3f), Length = Math.Max(length * form.LowerLength, LeastLength * nose), Nose = nose, Turn = -(float)beak.Hook * form.LowerLength, Lap = LowerLap, Tuck = LowerTuck,
         };

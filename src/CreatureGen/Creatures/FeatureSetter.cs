@@ -64,8 +64,9 @@ internal sealed class FeatureSetter
     {
         var setter = new FeatureSetter(blueprint, grown, coat, normals);
         EyeSetter.Add(blueprint, grown, coat, setter.builder, setter.pieces);
-        setter.AddBeak();
-        setter.AddNostrils();
+        BeakSetter? beak = blueprint.Head.Beak != null && grown.Mouth.Opens ? new BeakSetter(blueprint.Head.Beak, blueprint.Head.Mouth, grown) : null;
+        setter.AddBeak(beak);
+        setter.AddNostrils(beak);
         setter.AddTongue();
         setter.AddTeeth();
         setter.AddClaws();
@@ -93,14 +94,13 @@ internal sealed class FeatureSetter
         return (setter.pieces, setter.appendages);
     }
 
-    private void AddBeak()
+    private void AddBeak(BeakSetter? beak)
     {
-        if (blueprint.Head.Beak == null || !grown.Mouth.Opens)
+        if (beak == null)
         {
             return;
         }
 
-        var beak = new BeakSetter(blueprint, grown);
         builder.Clear(SurfaceFinish.Horn);
         beak.AppendUpper(builder, palette, coat.BeakColour);
         AddRigid("Head");
@@ -109,7 +109,7 @@ internal sealed class FeatureSetter
         AddRigid("Jaw");
     }
 
-    private void AddNostrils()
+    private void AddNostrils(BeakSetter? beak)
     {
         if (blueprint.Head.NostrilSize == 0)
         {
@@ -117,7 +117,7 @@ internal sealed class FeatureSetter
         }
 
         builder.Clear();
-        NostrilSetter.Append(builder, blueprint, grown, coat);
+        NostrilSetter.Append(builder, blueprint, grown, coat, beak);
         AddRigid("Head");
     }
 

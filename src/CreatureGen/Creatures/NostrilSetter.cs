@@ -30,14 +30,14 @@ internal static class NostrilSetter
     /// <param name="blueprint">The creature.</param>
     /// <param name="grown">Its surface.</param>
     /// <param name="coat">Its colours.</param>
-    public static void Append(PieceBuilder builder, CreatureBlueprint blueprint, GrownSurface grown, CoatPainter coat)
+    /// <param name="beak">The beak that they are in; null for none.</param>
+    public static void Append(PieceBuilder builder, CreatureBlueprint blueprint, GrownSurface grown, CoatPainter coat, BeakSetter? beak)
     {
         CoatPalette palette = coat.Palette;
         BodyShape shape = grown.Skin.Shape;
         double size = blueprint.Head.NostrilSize;
-        if (blueprint.Head.Beak != null && grown.Mouth.Opens)
+        if (beak != null)
         {
-            var beak = new BeakSetter(blueprint, grown);
             Vector3 colour = beak.IsNostrilSoft ? BeakSetter.SoftColour(palette, coat.BeakColour) : coat.BeakColour;
             NostrilShape.Append(builder, beak.Nostril, shape.Forward(StationRing.MuzzleMiddle), (float)(InBeak * shape.Width[StationRing.MuzzleMiddle] * size), colour);
         }
@@ -48,8 +48,8 @@ internal static class NostrilSetter
         }
         else
         {
-            bool beak = SpeciesCatalogue.Find(blueprint.Body.Blend.Face).Snout == SnoutKind.Beak;
-            NostrilShape.Append(builder, grown.Skin.At(beak ? 3.5 : 1.2, 4.6), shape.Up(StationRing.Nostrils), (float)(Breadth * shape.Width[StationRing.Nostrils] * size), palette.Base);
+            bool painted = SpeciesCatalogue.Find(blueprint.Body.Blend.Face).Snout == SnoutKind.Beak;
+            NostrilShape.Append(builder, grown.Skin.At(painted ? 3.5 : 1.2, 4.6), shape.Up(StationRing.Nostrils), (float)(Breadth * shape.Width[StationRing.Nostrils] * size), palette.Base);
         }
 
         builder.AppendMirrored(0, 0);

@@ -180,7 +180,7 @@ public sealed class BeakTests
 
     private static Piece[] Bills(CreatureBlueprint blueprint)
     {
-        var beak = new BeakSetter(blueprint, GrownSurface.Grow(blueprint));
+        var beak = new BeakSetter(blueprint.Head.Beak!, blueprint.Head.Mouth, GrownSurface.Grow(blueprint));
         var builder = new PieceBuilder();
         builder.Clear(SurfaceFinish.Horn);
         beak.AppendUpper(builder, new CoatPalette(blueprint.Coat), horn);

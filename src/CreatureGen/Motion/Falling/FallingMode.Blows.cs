@@ -54,11 +54,22 @@ internal sealed partial class FallingMode
     /// <param name="model">The same in model space, brought up to date.</param>
     public void Give(float dt, in RootPlace place, float gravity, in Pose local, in Pose model)
     {
-        if (recoil is { IsActive: true } && State is not (BodyState.Limp or BodyState.Rising))
+        if (TryGiveWay(dt, place, gravity, local))
         {
-            recoil.Apply(dt, Tau(place.Scale, gravity), local);
             ForwardKinematics.LocalToModel(profile.Value.Skeleton, local, model);
         }
+    }
+
+    /// <summary>Lays what is left of blows on a local pose; says whether there is any.</summary>
+    private bool TryGiveWay(float dt, in RootPlace place, float gravity, in Pose local)
+    {
+        if (recoil is not { IsActive: true } || State is BodyState.Limp or BodyState.Rising)
+        {
+            return false;
+        }
+
+        recoil.Apply(dt, Tau(place.Scale, gravity), local);
+        return true;
     }
 
     /// <summary>Lets the body be pushed: on its legs it steps after it, else it is carried off and slows down.</summary>

@@ -176,11 +176,7 @@ internal sealed partial class FallingMode : ILocomotionMode
         if (goesLimp)
         {
             goesLimp = false;
-            if (State is not (BodyState.Limp or BodyState.Rising))
-            {
-                recoil?.Apply(dt, Tau(place.Scale, settings.Gravity), local);
-            }
-
+            TryGiveWay(dt, place, settings.Gravity, local);
             if (layer != null)
             {
                 Lying.Hold(local);

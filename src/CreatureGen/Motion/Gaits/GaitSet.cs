@@ -118,8 +118,7 @@ public sealed class GaitSet
         float unit = gravity * legLength;
 
         // Legs that cannot stride out need not hurry before they go as fast as asks for it.
-        float frequency = Math.Max((float)Math.Sqrt(fr * unit) / free, (float)Math.Sqrt(froude * unit) / stride);
-        return frequency <= quickest ? frequency : Math.Max(quickest, (float)Math.Sqrt(froude * unit) / stride);
+        return Math.Max(Math.Min((float)Math.Sqrt(fr * unit) / free, quickest), (float)Math.Sqrt(froude * unit) / stride);
     }
 
     /// <summary>Cycles per second that a creature's mass lets it take at most.</summary>

@@ -4,7 +4,6 @@ using CreatureGen.Maths;
 using CreatureGen.Motion.Modes;
 using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Motion.Walking.Legs;
-using CreatureGen.Motion.Walking.Pace;
 
 namespace CreatureGen.Motion.Walking.Footsteps;
 
@@ -59,7 +58,7 @@ internal static class FootRelease
         foot.Plan.Reached = reached;
         foot.Plan.Missed = foot.Leg.Residual;
         bool misses = slides > 0f && foot.Leg.Residual + slides > MaxMiss * leg.Length;
-        Vector3 then = chord + lowered + (step.Since > Overdue || !step.Moving ? onward.Later(place) - place : foot.Leg.Drift * UntilDecided(foot, step.Clock));
+        Vector3 then = chord + lowered + Change(foot, step, onward, place);
         if (misses || (HipMayEnd(leg, then) && Missing(foot, body, leg, step, then) > MaxMiss * leg.Length))
         {
             return true;
@@ -70,8 +69,17 @@ internal static class FootRelease
             || (grows && ((!late && drop > MaxGrowingDrop) || reached > Math.Max(leg.Lateral ? LateralStretch : MaxStretch, leg.RestStretch + BeyondRest) * leg.Reach));
     }
 
-    /// <summary>Seconds until the foot is decided on again, or leaves the ground by itself.</summary>
-    private static float UntilDecided(in Foot foot, GaitClock clock) => Math.Min(DecisionClock.Period, (1f - foot.Stance) * clock.Duty * clock.Cycle);
+    /// <summary>By how much the chord will change until the foot is decided on again, or leaves the ground by itself: as it did, or where that is not known, by how the body goes on.</summary>
+    private static Vector3 Change(in Foot foot, in StepContext step, in Onward onward, Vector3 place)
+    {
+        if (step.Since > Overdue || !step.Moving)
+        {
+            return onward.Later(place) - place;
+        }
+
+        float left = (1f - foot.Stance) * step.Clock.Duty * step.Clock.Cycle;
+        return foot.Leg.Drift * Math.Min(DecisionClock.Period, left);
+    }
 
     /// <summary>Whether a hip may come to its end with a chord: any out to the side, one above its leg only where that lies flat.</summary>
     private static bool HipMayEnd(LegRig leg, Vector3 chord) => leg.Lateral || (chord.X * chord.X) + (chord.Z * chord.Z) > Flat * chord.Y * chord.Y;

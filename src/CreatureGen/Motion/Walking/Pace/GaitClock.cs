@@ -42,6 +42,9 @@ internal sealed class GaitClock
     /// <summary>The same of who goes on after all before it stands: the body's bounce goes by the tempo, and jumps where that does.</summary>
     private const float TempoFallOfGoing = 0.4f;
 
+    /// <summary>Cycles per second at the least by which seconds of a cycle are told.</summary>
+    private const float SlowestShown = 0.1f;
+
     /// <summary>Times that a rate of turning is brought down to what steps can follow, by half at most.</summary>
     private const int TurnTrials = 4;
 
@@ -99,7 +102,7 @@ internal sealed class GaitClock
     public float Tempo => Frequency + tempoRest;
 
     /// <summary>Seconds of a cycle, 10 at most.</summary>
-    public float Cycle => 1f / Math.Max(Frequency, 0.1f);
+    public float Cycle => 1f / Math.Max(Frequency, SlowestShown);
 
     /// <summary>How long steps are, of those that go straight ahead on level ground at the same speed, 0..1: in a turn and on slopes they come quicker, and are shorter for it.</summary>
     public float Length { get; private set; } = 1f;
@@ -114,7 +117,7 @@ internal sealed class GaitClock
     /// <param name="gravity">Metres of the model per second squared.</param>
     public float TrailIn(float gravity)
     {
-        float swing = (1f - Duty) / Math.Max(Tempo, 0.1f) * (float)Math.Sqrt(gravity / body.LegLength);
+        float swing = (1f - Duty) / Math.Max(Tempo, SlowestShown) * (float)Math.Sqrt(gravity / body.LegLength);
         return Shape.Trail * Scalar.Smooth((swing - HurriedSwing) / (UnhurriedSwing - HurriedSwing));
     }
 
