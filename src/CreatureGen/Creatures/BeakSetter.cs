@@ -29,9 +29,6 @@ internal sealed class BeakSetter
     /// <summary>Thickness of the lower bill along the lip, relative to that of its side: it lies within the upper one.</summary>
     private const float LowerTuck = 0.25f;
 
-    /// <summary>Least length of a bill beyond the nose, in bulges of the nose.</summary>
-    private const float LeastLength = 1.4f;
-
     // Shades of horn: at the root, along the middle line of the upper bill, on the lower bill, and of soft skin at the root.
     private const float AtRoot = 0.8f;
     private const float Lower = 0.95f;
@@ -51,16 +48,16 @@ internal sealed class BeakSetter
         form = BeakForm.Of(beak.Style);
         BodyShape shape = grown.Skin.Shape;
         float nose = MouthSlit.NoseBulge(shape);
-        float length = Math.Max((float)beak.Length, LeastLength * nose);
+        BillReach reach = BillReach.Of(beak, shape);
         float covered = (float)BodyShape.At(shape.Arc, form.Root.Top);
-        onFace = covered / (covered + length);
+        onFace = covered / (covered + reach.Upper);
         upper = new BillShape(Upper(grown), form.Upper, (float)beak.Girth)
         {
-            Root = (form.Root.Top, form.Root.Lip), Length = length, Nose = nose, Turn = (float)beak.Hook, Lap = UpperLap, Cere = form.Cere,
+            Root = (form.Root.Top, form.Root.Lip), Length = reach.Upper, Nose = nose, Turn = (float)beak.Hook, Lap = UpperLap, Cere = form.Cere,
         };
         lower = new BillShape(LowerOf(grown, MouthSlit.AngleOf(mouth)), form.Lower, (float)beak.Girth)
         {
-            Root = (form.Root.Chin, form.Root.Lip - 0.3f), Length = Math.Max(length * form.LowerLength, LeastLength * nose), Nose = nose, Turn = -(float)beak.Hook * form.LowerLength, Lap = LowerLap, Tuck = LowerTuck,
+            Root = (form.Root.Chin, form.Root.Lip - 0.3f), Length = reach.Lower, Nose = nose, Turn = -(float)beak.Hook * form.LowerLength, Lap = LowerLap, Tuck = LowerTuck,
         };
     }
 

@@ -1,6 +1,5 @@
 using System.Numerics;
 using CreatureGen.Anatomy;
-using CreatureGen.Anatomy.Beaks;
 using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
 using CreatureGen.Maths;
@@ -34,7 +33,8 @@ internal static class HeadRigger
         chin.X = 0f;
         if (input.Blueprint.Head.Beak is BeakBlueprint beak)
         {
-            chin += shape.Forward(StationRing.Nose) * (BeakForm.Of(beak.Style).LowerLength * (float)beak.Length);
+            // The lip is as far ahead of the first ring as the nose bulges.
+            chin += shape.Forward(StationRing.Nose) * (BillReach.Of(beak, shape).Lower - MouthSlit.NoseBulge(shape));
         }
 
         Vector3 direction = chin - hinge;
