@@ -48,6 +48,16 @@ internal sealed class GaitClock
     /// <summary>Times that a rate of turning is brought down to what steps can follow, by half at most.</summary>
     private const int TurnTrials = 4;
 
+    /// <summary>How quickly it goes up or down at the most, √(leg·g): about 1.8 m/s on the legs of a man (Margaria et al. 1966).</summary>
+    private const float QuickestClimb = 0.6f;
+
+    /// <summary>Rise along the way below which that slows nobody down.</summary>
+    private const float LeastClimb = 0.05f;
+
+    /// <summary>Times that a speed is brought down to what steps on a slope allow, and how much too quick these may be left.</summary>
+    private const int SlopeTrials = 8;
+    private const float SlopeTolerance = 1.02f;
+
     /// <summary>Radians per second from which on it is looked for how sharp a turn is possible.</summary>
     private const float SharpestAsked = 20f;
 
@@ -234,21 +244,34 @@ internal sealed class GaitClock
         }
     }
 
-    /// <summary>The speed that a creature goes on a slope when it is asked for one: less where shorter strides would come quicker than its mass lets them.</summary>
+    /// <summary>
+    /// The speed that a creature goes on a slope or a flight of stairs when it is asked for one: less where shorter strides would come quicker than its mass lets them,
+    /// and so much that it goes up and down no quicker than who runs up stairs with all his might.
+    /// </summary>
     /// <param name="speed">Metres per second ahead.</param>
     /// <param name="gravity">Metres per second squared.</param>
     public float OnSlope(float speed, float gravity)
     {
+        float unit = gravity * body.LegLength;
+        float steepest = QuickestClimb * (float)Math.Sqrt(unit) / Math.Max(Math.Abs(slope), LeastClimb);
+        speed = Scalar.Clamp(speed, -steepest, steepest);
         float stance = longest.At(slope);
-        if (stance >= longest.Level)
+        for (int i = 0; stance < longest.Level && i < SlopeTrials; i++)
         {
-            return speed;
+            // What is quick enough on the level is so here.
+            float froude = speed * speed / unit;
+            float level = GaitSet.FrequencyOf(Gait, froude, body.LegLength, gravity, longest.Level, quickest);
+            float here = GaitSet.FrequencyOf(Gait, froude, body.LegLength, gravity, stance, quickest);
+            float most = Math.Max(quickest, level);
+            if (here <= SlopeTolerance * most)
+            {
+                break;
+            }
+
+            speed *= most / here;
         }
 
-        float froude = speed * speed / (gravity * body.LegLength);
-        float level = GaitSet.FrequencyOf(Gait, froude, body.LegLength, gravity, longest.Level, quickest);
-        float here = GaitSet.FrequencyOf(Gait, froude, body.LegLength, gravity, stance, quickest);
-        return speed * Math.Min(1f, Math.Max(quickest, level) / here);
+        return speed;
     }
 
     /// <summary>The rate of turning, up to what is asked, at which steps as quick as the creature's mass lets them still take all feet along.</summary>
