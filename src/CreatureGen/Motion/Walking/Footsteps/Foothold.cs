@@ -27,6 +27,9 @@ internal struct Foothold
     /// <summary>Whether its toes hang over an edge: it hardly rolls over them.</summary>
     public bool Overhangs;
 
+    /// <summary>How far a foot comes down here with its whole sole at once instead of its heel first, 0..1: all the way before a wall, and where its heel hangs over an edge.</summary>
+    public float Whole;
+
     /// <summary>Whether an end of its sole is in a wall.</summary>
     public bool InWall;
 
@@ -53,6 +56,7 @@ internal struct Foothold
         Vector3 from = before.Position + moved;
         Position = from + ((Position - from) * fraction);
         Below = before.Below + ((Below - before.Below) * fraction);
+        Whole = before.Whole + ((Whole - before.Whole) * fraction);
         Normal = Vec.Normalize(Vec.Lerp(before.Normal, Normal, fraction), Normal);
     }
 

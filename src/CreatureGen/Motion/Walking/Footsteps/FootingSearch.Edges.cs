@@ -21,6 +21,12 @@ internal sealed partial class FootingSearch
     /// <summary>Part of a stance in which its leg has to reach where it stands still.</summary>
     private const float LateStance = 0.7f;
 
+    /// <summary>How much more a leg length counts by which a hip that comes to its end keeps a foot off its place: it comes down beside it.</summary>
+    private const float KeptFactor = 4f;
+
+    /// <summary>Part of a stance in which the body comes over the foot.</summary>
+    private const float ComingOver = 0.35f;
+
     /// <summary>How far feet of legs out to the side, which sweep less far, are shifted along themselves at most, leg lengths; others by their length.</summary>
     private const float LateralShift = 0.1f;
 
@@ -88,17 +94,28 @@ internal sealed partial class FootingSearch
 
     private static float Cost(SoleEnd end) => end switch { SoleEnd.Wall => WallCost, SoleEnd.Hangs => HangCost, _ => 0f };
 
-    /// <summary>How far a place is beyond what a leg reaches as its foot comes down there and late in the stance, metres.</summary>
+    /// <summary>How far a place is beyond what a leg reaches as its foot comes down there and late in the stance, and beyond what a hip above it turns to as it comes down and as the body comes over it, metres.</summary>
     private float Beyond(in StepContext step, LegRig shape, in Foot foot, float flight, in GroundHit hit)
     {
         Vector3 place = step.Frame.ToModel(hit.Point);
-        float late = step.Moving ? flight + (LateStance * step.Clock.Duty / step.Clock.Frequency) : flight;
-        return Beyond(step, shape, foot, flight, place) + Beyond(step, shape, foot, late, place);
+        float stance = step.Moving ? step.Clock.Duty / step.Clock.Frequency : 0f;
+        float beyond = Beyond(step, shape, foot, flight, place) + Beyond(step, shape, foot, flight + (LateStance * stance), place);
+        return shape.Lateral ? beyond : beyond + (KeptFactor * (Kept(step, shape, foot, flight, place) + Kept(step, shape, foot, flight + (ComingOver * stance), place)));
     }
 
     private float Beyond(in StepContext step, LegRig shape, in Foot foot, float seconds, Vector3 place)
     {
-        place.Y -= step.Slope * step.RootVelocity.Predict(seconds, out _).Z;
+        place = Then(step, seconds, place);
         return Vec.Distance(LandingRange.Within(body, shape, foot.Leg, step.RootVelocity, seconds, place), place);
+    }
+
+    private float Kept(in StepContext step, LegRig shape, in Foot foot, float seconds, Vector3 place) =>
+        LandingRange.Kept(body, shape, foot.Leg, step.RootVelocity, seconds, Then(step, seconds, place));
+
+    /// <summary>A place as it is seen when the body has gone up or down the slope for a time.</summary>
+    private static Vector3 Then(in StepContext step, float seconds, Vector3 place)
+    {
+        place.Y -= step.Slope * step.RootVelocity.Predict(seconds, out _).Z;
+        return place;
     }
 }

@@ -123,6 +123,7 @@ internal sealed partial class FootingSearch
             place.Overhangs = sole.Toes == SoleEnd.Hangs;
             place.InWall = sole.Toes == SoleEnd.Wall || sole.Heel == SoleEnd.Wall;
             place.MeetsWall = sole.Toes == SoleEnd.Wall || sole.Before == SoleEnd.Wall;
+            place.Whole = place.MeetsWall || sole.Heel == SoleEnd.Hangs ? 1f : 0f;
             place.Position += up * (sole.Raise * step.Frame.Scale);
             Vector3 tilt = Rotation.Rotate(step.Frame.Rotation, (sole.Ahead * sole.Slope) + (sole.Aside * sole.Tilt));
             place.Normal = Vec.Normalize((place.Normal / Vec.Dot(place.Normal, up)) - tilt, up);

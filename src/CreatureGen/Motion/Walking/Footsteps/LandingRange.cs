@@ -42,6 +42,20 @@ internal static class LandingRange
         return bounded == place ? wanted : way + Rotation.Rotate(AxisRotation.Yaw(yaw), bounded);
     }
 
+    /// <summary>How far from a place on the ground a leg below its body would end whose hip does not turn as far as that asks, metres: up steps a thigh comes to its end before the leg is folded.</summary>
+    /// <param name="body">Whose foot it is.</param>
+    /// <param name="leg">Its leg.</param>
+    /// <param name="posed">The leg as it was last posed.</param>
+    /// <param name="velocity">How the body goes.</param>
+    /// <param name="seconds">Until the foot is there.</param>
+    /// <param name="place">The place, model space at present.</param>
+    public static float Kept(LeggedBody body, LegRig leg, in LegOutcome posed, in RootVelocity velocity, float seconds, Vector3 place)
+    {
+        Vector3 way = velocity.Predict(seconds, out float yaw);
+        Vector3 chord = leg.Parts.Upper + leg.Shank - leg.Home - (posed.Hip - leg.HipRest) + Rotation.Rotate(AxisRotation.Yaw(-yaw), place - way);
+        return Vec.Distance(HipRoom.Nearest(body, leg, posed.Carrier, chord), chord);
+    }
+
     /// <summary>Draws a place in that is too far from the hip.</summary>
     private static Vector3 Reached(LegRig leg, Vector3 chord, float max, float height, Vector3 place)
     {

@@ -93,17 +93,18 @@ internal static class FootRoll
         LegGaitParameters traits = leg.Traits;
         float rising = Scalar.Clamp(RiseOfCycle / Math.Max(duty, 0.1f), ShortestRise, leg.FlatFoot && !leg.Lateral ? LongestFlatRise : LongestRise);
         float off = Math.Min(traits.ToeOff * leg.RollFraction, 0.5f * FastestRoll * rising * duty * cycle) * (foot.Plan.From.Overhangs ? OverhangingRoll : 1f);
+        float strike = traits.Strike * (1f - (foot.Phase == FootPhase.Stance ? foot.Plan.From.Whole : foot.Plan.To.Whole));
         if (foot.Phase == FootPhase.Stance)
         {
             float rise = Scalar.Clamp(1f - ((1f - foot.Stance) / rising), 0f, 1f);
-            return (off * rise * rise) + (traits.Strike * (1f - Scalar.Smooth(foot.Stance / FlatFrom)));
+            return (off * rise * rise) + (strike * (1f - Scalar.Smooth(foot.Stance / FlatFrom)));
         }
 
         float u = foot.Swing;
         float peak = traits.SwingPitch * leg.RollFraction;
         if (u >= PeakAt)
         {
-            return peak + ((traits.Strike - peak) * Scalar.Smooth((u - PeakAt) / 0.58f));
+            return peak + ((strike - peak) * Scalar.Smooth((u - PeakAt) / 0.58f));
         }
 
         // Hermite from the end of stance, with its rate, to the peak.

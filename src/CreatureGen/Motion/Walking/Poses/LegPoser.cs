@@ -165,7 +165,7 @@ internal sealed class LegPoser
         if (!Aim(leg, parts, carrier, goal, local, out solved))
         {
             Vector3 away = foot.Path.Away;
-            limit.Bend(leg, parts, goal, away, Vec.Dot(away, pose.Target - hip) - foot.Path.Lift, ref solved);
+            limit.Bend(leg, parts, goal, away, Vec.Dot(away, pose.Target - hip) - (foot.Path.Lift - foot.Path.Over), ref solved);
             if (limit.Arriving > 0f)
             {
                 // It will stand where it comes down: with the leg as it then is.
