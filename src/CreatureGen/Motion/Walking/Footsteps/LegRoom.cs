@@ -20,13 +20,13 @@ internal struct LegRoom
 
     private const float FoldedWidth = 0.02f;
 
-    /// <summary>How far a leg draws the body down at most, leg lengths. Legs out to the side gain little by it.</summary>
+    /// <summary>How far a leg draws the body down at most, leg lengths. Legs out to the side gain less by it.</summary>
     private const float MaxDrop = 0.15f;
 
     /// <summary>How far a folded leg raises it at most.</summary>
     private const float MaxRaise = 0.35f;
 
-    private const float LateralDrop = 0.025f;
+    private const float LateralDrop = 0.08f;
 
     /// <summary>Part of a swing in which its leg stops drawing the body down.</summary>
     private const float LettingGo = 0.25f;

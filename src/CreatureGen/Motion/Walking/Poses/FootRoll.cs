@@ -49,9 +49,6 @@ internal static class FootRoll
     /// <summary>Radians per second at which toes leave the ground at most: in the short stances of a fast gallop they roll off less far.</summary>
     private const float FastestRoll = 30f;
 
-    /// <summary>Part of its roll that a foot makes whose toes hang over an edge.</summary>
-    private const float OverhangingRoll = 0.2f;
-
     /// <summary>Speed backwards, of √(gℓ), from which on feet do not roll over their toes.</summary>
     private const float BackingSpeed = 0.14f;
 
@@ -92,7 +89,9 @@ internal static class FootRoll
     {
         LegGaitParameters traits = leg.Traits;
         float rising = Scalar.Clamp(RiseOfCycle / Math.Max(duty, 0.1f), ShortestRise, leg.FlatFoot && !leg.Lateral ? LongestFlatRise : LongestRise);
-        float off = Math.Min(traits.ToeOff * leg.RollFraction, 0.5f * FastestRoll * rising * duty * cycle) * (foot.Plan.From.Overhangs ? OverhangingRoll : 1f);
+        
+        // Toes that hang over an edge have nothing to roll off.
+        float off = foot.Plan.From.Overhangs ? 0f : Math.Min(traits.ToeOff * leg.RollFraction, 0.5f * FastestRoll * rising * duty * cycle);
         float strike = traits.Strike * (1f - (foot.Phase == FootPhase.Stance ? foot.Plan.From.Whole : foot.Plan.To.Whole));
         if (foot.Phase == FootPhase.Stance)
         {

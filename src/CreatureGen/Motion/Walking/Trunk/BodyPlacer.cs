@@ -4,6 +4,7 @@ using CreatureGen.Maths;
 using CreatureGen.Motion.Modes;
 using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Motion.Walking.Footsteps;
+using CreatureGen.Motion.Walking.Idle;
 using CreatureGen.Motion.Walking.Legs;
 using CreatureGen.Motion.Walking.Pace;
 
@@ -49,6 +50,7 @@ internal sealed class BodyPlacer
     private ExponentialDecay groundDecay;
     private ExponentialDecay slopeDecay;
     private LegDrop drop;
+    private ShiftRoom shiftRoom;
 
     public BodyPlacer(LeggedBody body)
     {
@@ -122,6 +124,7 @@ internal sealed class BodyPlacer
         groundDecay = other.groundDecay;
         slopeDecay = other.slopeDecay;
         drop = other.drop;
+        shiftRoom = other.shiftRoom;
     }
 
     /// <summary>Forgets what was smoothed: the creature has been put somewhere else.</summary>
@@ -136,6 +139,7 @@ internal sealed class BodyPlacer
         look = default;
         turnLook = default;
         drop = default;
+        shiftRoom = default;
     }
 
     /// <summary>Tells that the root was moved up under the body, metres.</summary>
@@ -197,7 +201,8 @@ internal sealed class BodyPlacer
         float emphasis = clock.Shape.Emphasis;
         float swing = act * settings.Walking.Sway;
         float pendulum = settings.Gravity / body.HipHeight / (omega * omega);
-        float sway = Scalar.ClampSoftly((response.Sway(sums, feet.Length, pendulum) * swing * (1f + (0.8f * (emphasis - 1f)))) + context.Idle.Shift, body.MaxSway);
+        IdlePose idle = shiftRoom.Bound(body, feet, context.Idle, context.Step);
+        float sway = Scalar.ClampSoftly((response.Sway(sums, feet.Length, pendulum) * swing * (1f + (0.8f * (emphasis - 1f)))) + idle.Shift, body.MaxSway);
         float stance = context.RootVelocity.Speed * clock.Duty / tempo;
         float surge = response.Surge(sums, feet.Length, scale, stance / body.HipHeight, SurgeCap * length) * act;
 
@@ -221,9 +226,9 @@ internal sealed class BodyPlacer
 
         PelvisYaw = pelvisYaw;
         float rolling = emphasis * swing;
-        float pelvisRoll = (rolling * traits.PelvisRoll * (rear.LeftLoad - rear.RightLoad)) + context.Idle.Roll;
+        float pelvisRoll = (rolling * traits.PelvisRoll * (rear.LeftLoad - rear.RightLoad)) + idle.Roll;
         float chestRoll = rolling * traits.ChestRoll * (body.IsBiped ? rear.LeftLoad - rear.RightLoad : front.LeftLoad - front.RightLoad);
-        pelvisYaw += context.Idle.Yaw - (body.IsBiped ? 0f : 0.5f * bend);
+        pelvisYaw += idle.Yaw - (body.IsBiped ? 0f : 0.5f * bend);
         chestYaw += ((body.IsBiped ? 0.35f : 0.5f) * bend) + look.Angle;
         float gather = body.IsBiped ? 0f : 0.5f * ((rear.Left + rear.Right) - (front.Left + front.Right));
         float supple = traits.Flexion * (StepFlexion + ((1f - StepFlexion) * hindAtOnce));
