@@ -20,6 +20,10 @@ internal sealed class LimpBody
     private const float FallTime = 3f;
     private const float CalmSpeed = 0.12f;
 
+    /// <summary>How much of that is added for each such time that it has lain beyond the first, and up to how much in all: on stairs a body slips from edge to edge for long, and catches itself while it does.</summary>
+    private const float Patience = 1f;
+    private const float MostPatience = 2.5f;
+
     /// <summary>Where a cast for the ground begins above the body, and how high above the ground that the root is on it, and that it is not at all, sizes.</summary>
     private const float CastAbove = 0.5f;
     private const float NearAbove = 1f;
@@ -50,7 +54,8 @@ internal sealed class LimpBody
     public bool IsCalm(float scale, float gravity)
     {
         float tau = Tau(scale, gravity);
-        return ragdoll.IsAsleep || (seconds > FallTime * tau && ragdoll.Speed < CalmSpeed * gravity * tau);
+        float times = seconds / (FallTime * tau);
+        return ragdoll.IsAsleep || (times > 1f && ragdoll.Speed < CalmSpeed * Math.Min(1f + (Patience * (times - 1f)), MostPatience) * gravity * tau);
     }
 
     /// <summary>Keeps the pose shown last: its velocities are those from this pose to the one in which it begins.</summary>
