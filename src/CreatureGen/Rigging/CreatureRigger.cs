@@ -136,16 +136,16 @@ internal static class CreatureRigger
         return new SpineSegments(joints, pivots, line.Length);
     }
 
-    /// <summary>Ears and antennae grow on the head, the first arms and wings on the chest, legs on the joint of the trunk nearest to their socket, all else on the bone that moves the skin there.</summary>
+    /// <summary>Ears and antennae grow on the head, those of the rear half on the bone that moves the skin there, the first arms and wings on the chest, legs on the joint of the trunk nearest to their socket, all else on the bone that moves the skin there.</summary>
     private static int ParentOf(Appendage appendage, SpineLayout layout, int[] forward, SpineSegments spine, SpineLine line, int head, bool swims)
     {
-        if (appendage.Kind is LimbKind.Ear or LimbKind.Antenna)
+        double arc = line.ArcAt(appendage.RootRing);
+        if (appendage.Kind == LimbKind.Ear || (appendage.Kind == LimbKind.Antenna && 2 * arc < line.Length))
         {
             return head;
         }
 
-        double arc = line.ArcAt(appendage.RootRing);
-        if (swims || appendage.Kind is LimbKind.Dorsal or LimbKind.Ventral or LimbKind.Pectoral or LimbKind.Tail or LimbKind.Disc)
+        if (swims || appendage.Kind is LimbKind.Antenna or LimbKind.Dorsal or LimbKind.Ventral or LimbKind.Pectoral or LimbKind.Tail or LimbKind.Disc)
         {
             return spine.At(arc).Dominant;
         }

@@ -6,6 +6,7 @@ using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
+using CreatureGen.Sampling;
 using Xunit;
 
 namespace CreatureGen.Tests.Rigging;
@@ -34,6 +35,18 @@ public sealed class CreatureRiggerTests
             double Arc(string name) => ArcOf(subject, subject.Joint(name).ModelPosition);
             Assert.Equal((Arc("Pelvis") + Arc("Chest")) / 2, ArcOf(subject, body.ModelPosition), 4);
         }
+    }
+
+    /// <summary>They hung on the head, a body's length away, and swung with it.</summary>
+    [Theory]
+    [InlineData(12500085UL)]
+    [InlineData(12500101UL, Explicit = true)]
+    public void Feelers_at_the_rear_hang_on_the_rear(ulong seed)
+    {
+        Skeleton skeleton = CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }).Skeleton;
+        Joint[] roots = skeleton.Joints.Where(joint => joint.Role == JointRole.Antenna && skeleton.Joints[joint.Parent].Role != JointRole.Antenna).ToArray();
+        Assert.Contains(roots, root => root.ModelPosition.Z < 0f);
+        Assert.All(roots, root => Assert.Equal(root.ModelPosition.Z > 0f, skeleton.Joints[root.Parent].Role == JointRole.Head));
     }
 
     [Theory]

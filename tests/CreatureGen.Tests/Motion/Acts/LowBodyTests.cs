@@ -4,6 +4,7 @@ using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Maths;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Acts.Bodies;
 using CreatureGen.Rigging;
 using CreatureGen.Sampling;
 using CreatureGen.Tests.Motion.Falling;
@@ -71,6 +72,49 @@ public class LowBodyTests
         Walkers.Run(animator, die.SecondsToLast, Rate, default, FlatGround.Level);
         Assert.InRange(Height(animator, JointRole.Head) / carried, 0f, 0.92f);
         Assert.InRange(GettingUpTests.Lowest(animator), -0.015f * GettingUpTests.Extent(animator.Profile.Subject.Creature!), 1f);
+    }
+
+    /// <summary>They kept their necks in an arch, with the snout on the ground.</summary>
+    [Theory]
+    [InlineData(12500127UL, "Die")]
+    [InlineData(12500035UL, "Die", Explicit = true)]
+    [InlineData(12500127UL, "Sleep", Explicit = true)]
+    public void A_crawler_that_carries_its_neck_raised_lays_it_along_the_ground(ulong seed, string act)
+    {
+        MotionProfile profile = Strange(seed);
+        ReadOnlySpan<Vector3> carried = profile.Subject.Skeleton.ModelPositions;
+        CreatureAnimator animator = Performing(profile, act, out ActAbility ability);
+        Walkers.Run(animator, ability.SecondsToLast, Rate, default, FlatGround.Level);
+        Assert.Equal(1f, ability.Gain);
+        foreach (string joint in new[] { "Neck_03", "Head" })
+        {
+            int index = profile.Subject.Skeleton.IndexOf(joint);
+            Assert.InRange(animator.ModelPose.Positions[index].Y / carried[index].Y, 0f, 0.6f);
+        }
+
+        Assert.InRange(GettingUpTests.Lowest(animator), -0.015f * GettingUpTests.Extent(animator.Profile.Subject.Creature!), 1f);
+    }
+
+    /// <summary>Its tall legs stand close together: a chest that came down before the hips tipped it over onto its head, so that it did half of it.</summary>
+    [Theory]
+    [InlineData(12500081UL)]
+    [InlineData(12500007UL, Explicit = true)]
+    public void A_mantis_that_dies_comes_down_on_its_belly(ulong seed)
+    {
+        CreatureAnimator animator = Performing(Strange(seed), "Die", out ActAbility die);
+        Walkers.Run(animator, die.SecondsToLast, Rate, default, FlatGround.Level);
+        Assert.Equal(1f, die.Gain);
+        ActBody body = animator.Profile.Acts.Body;
+        Assert.InRange(animator.ModelPose.Positions[body.Body].Y - body.Depth, -1f, 0.15f * body.Legs!.BellyHeight);
+    }
+
+    /// <summary>Laid back as feelers are it would go into the ground.</summary>
+    [Fact]
+    public void What_points_back_is_not_laid_back_with_the_ears()
+    {
+        MotionProfile profile = Strange(12500005);
+        Assert.NotEmpty(profile.Acts.Body.Trains);
+        Assert.Equal(1f, profile.Acts.Find("Flinch").Gain);
     }
 
     private static MotionProfile Strange(ulong seed) => new(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));

@@ -60,9 +60,15 @@ internal sealed class ActBody
 
         Has = PartsOf();
         Skin = BonePoints.Of(subject);
-        Feelers = Array.ConvertAll(RootsOf(JointRole.Antenna), root => new TurnedChain(Skeleton, Joints(JointRole.Antenna).Where(joint => Hangs(joint, root)).ToArray()));
+        TurnedChain[] feelers = Array.ConvertAll(RootsOf(JointRole.Antenna), root => new TurnedChain(Skeleton, Joints(JointRole.Antenna).Where(joint => Hangs(joint, root)).ToArray()));
+        Feelers = Array.FindAll(feelers, feeler => !PointsBack(feeler));
+        Trains = Array.FindAll(feelers, PointsBack);
         FeelerSkins = Array.ConvertAll(Feelers, feeler => Skin.Of(joint => Hangs(joint, feeler.Joints[0])));
-        HeadSkin = Skin.Of(joint => Hangs(joint, Bearers.Length > 0 ? Bearers[0] : -1) && !Array.Exists(Feelers, feeler => Hangs(joint, feeler.Joints[0])));
+        TrainSkins = Array.ConvertAll(Trains, train => Skin.Of(joint => Hangs(joint, train.Joints[0])));
+        HeadChain = new TurnedChain(Skeleton, Head >= 0 ? new[] { Head } : Array.Empty<int>());
+        HeadSkin = Skin.Of(joint => Hangs(joint, Bearers.Length > 0 ? Bearers[0] : -1) && !Array.Exists(feelers, feeler => Hangs(joint, feeler.Joints[0])));
+        BearerSkins = Build == BodyBuild.Legless ? Array.ConvertAll(Bearers, bearer => Skin.Of(joint => joint == bearer)) : Array.Empty<BonePoints>();
+        FaceSkin = Skin.Of(joint => Hangs(joint, Head) && !Array.Exists(feelers, feeler => Hangs(joint, feeler.Joints[0])));
         JawSkin = Skin.Of(joint => Hangs(joint, Jaw));
         TailSkin = Skin.Of(joint => Hangs(joint, Tail.Count > 0 ? Tail.Joints[0] : -1));
         ArmSkins = Array.ConvertAll(Arms, arm => Skin.Of(joint => Hangs(joint, arm.Joints[1])));
@@ -122,8 +128,14 @@ internal sealed class ActBody
     /// <summary>The roots of the ears.</summary>
     public int[] Ears { get; }
 
+    /// <summary>The head's joint alone; none without one.</summary>
+    public TurnedChain HeadChain { get; }
+
     /// <summary>Each feeler, from its root.</summary>
     public TurnedChain[] Feelers { get; }
+
+    /// <summary>Feelers that point back, and tails beside the tail.</summary>
+    public TurnedChain[] Trains { get; }
 
     public LimbChain[] Arms { get; }
 
@@ -150,6 +162,12 @@ internal sealed class ActBody
 
     public BonePoints TailSkin { get; }
 
+    /// <summary>The same of each joint of a crawler that bears its head; none of others.</summary>
+    public BonePoints[] BearerSkins { get; }
+
+    /// <summary>The same of the head alone.</summary>
+    public BonePoints FaceSkin { get; }
+
     /// <summary>The same of the jaw; none without one.</summary>
     public BonePoints JawSkin { get; }
 
@@ -158,6 +176,9 @@ internal sealed class ActBody
 
     /// <summary>The same of each feeler.</summary>
     public BonePoints[] FeelerSkins { get; }
+
+    /// <summary>The same of each that points back.</summary>
+    public BonePoints[] TrainSkins { get; }
 
     /// <summary>The same of trunk and legs: what a body lies on.</summary>
     public BonePoints BearingSkin { get; }
@@ -182,6 +203,8 @@ internal sealed class ActBody
         int right = Array.FindIndex(legs.Legs, leg => leg.Row == row && leg.Side == Side.Right);
         return (left, right);
     }
+
+    private bool PointsBack(TurnedChain feeler) => Skeleton.ModelPositions[feeler.Joints[^1]].Z < Skeleton.ModelPositions[feeler.Joints[0]].Z;
 
     private (int Left, int Right) BallsOf((int Left, int Right) feet) => (feet.Left < 0 ? -1 : Legs!.Legs[feet.Left].Ball, feet.Right < 0 ? -1 : Legs!.Legs[feet.Right].Ball);
 

@@ -24,7 +24,7 @@ public enum ActChannel
     /// <summary>The trunk rolled, the act's side up.</summary>
     Roll,
 
-    /// <summary>The chest let down: 0 as it stands, 1 until the belly is on the ground, or as far as its legs fold.</summary>
+    /// <summary>The chest let down: 0 as it stands, 1 until the belly is on the ground, or as far as its legs fold. Of a crawler what it carries raised: 0 as it does, 1 laid along the ground.</summary>
     ForeDown,
 
     /// <summary>The hips let down, in the same measure.</summary>

@@ -66,6 +66,12 @@ internal static class Displays
             new ActPhase("rise", 2.4f).To(ForeDown, 0f).To(HindDown, 0f).To(Ahead, 0f).To(Pitch, 0f).To(BackPitch, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(HeadRoll, 0f).To(Ears, 0f).To(TailPitch, 0f).To(TailCurl, 0f).To(Wings, 0f).To(ArmsAhead, 0f).To(ArmsOut, 0f).To(ArmsBend, 0f))
             .Needing(ActNeeds.Head).For(BodyBuild.Upright).OnTheSpot(),
         new Act("Submit", ActKind.Display,
+            new ActPhase("crouch", 1.8f).To(ForeDown, 0.56f).To(HindDown, 0.48f).To(Ahead, -0.08f).To(NeckPitch, -0.3f).To(HeadPitch, -0.2f).To(Ears, 1f).To(TailPitch, -0.3f).To(TailCurl, -0.3f).To(Wings, -0.4f),
+            new ActPhase("turn away", 1.4f).To(NeckPitch, -0.5f).To(NeckSide, 0.4f).To(HeadSide, 0.25f).To(HeadRoll, 0.35f).To(TailSide, 0.5f).To(Lids, 0.4f),
+            new ActPhase("stay", 6f).With(new ActWave(Up, 0.006f, 10f)).With(new ActWave(HeadSide, 0.08f, 1f)).With(new ActWave(TailSide, 0.12f, 2f)),
+            new ActPhase("rise", 2.4f).To(ForeDown, 0f).To(HindDown, 0f).To(Ahead, 0f).To(NeckPitch, 0f).To(NeckSide, 0f).To(HeadPitch, 0f).To(HeadSide, 0f).To(HeadRoll, 0f).To(Ears, 0f).To(Lids, 0f).To(TailPitch, 0f).To(TailSide, 0f).To(TailCurl, 0f).To(Wings, 0f))
+            .Needing(ActNeeds.Head).For(BodyBuild.Sprawling | BodyBuild.ManyLegged).OnTheSpot(),
+        new Act("Submit", ActKind.Display,
             new ActPhase("crouch", 2.2f).To(ForeDown, 0.4f).To(HindDown, 0.55f).To(Ahead, -0.10f).To(NeckPitch, -0.35f).To(HeadPitch, -0.1f).To(HeadRoll, 0.2f).To(Ears, 1f).To(Lids, 0.4f).To(TailPitch, -0.6f).To(TailCurl, -0.4f).To(Wings, -0.4f).To(BackPitch, -0.15f),
             new ActPhase("stay", 7f).With(new ActWave(Up, 0.006f, 12f)).With(new ActWave(HeadSide, 0.08f, 1f)),
             new ActPhase("rise", 2.4f).To(ForeDown, 0f).To(HindDown, 0f).To(Ahead, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(HeadRoll, 0f).To(Ears, 0f).To(Lids, 0f).To(TailPitch, 0f).To(TailCurl, 0f).To(Wings, 0f).To(BackPitch, 0f))

@@ -54,6 +54,11 @@ internal static class Postures
         Lying("Sleep", GettingDownUpright(sleep)).For(BodyBuild.Upright),
         Lying("Sleep", GettingDown(sleep)).For(BodyBuild.Standing),
         new Act("Sleep", ActKind.Posture,
+            new ActPhase("nod", 4f).To(ForeDown, 1f).To(NeckSide, 0.4f).To(Lids, 1f),
+            new ActPhase("sleep", 14f).Lasting().With(new ActWave(BackPitch, 0.01f, 2.5f)),
+            new ActPhase("wake", 2.4f).To(ForeDown, 0f).To(NeckSide, 0f).To(Lids, 0f))
+            .Needing(ActNeeds.Head).For(BodyBuild.Legless),
+        new Act("Sleep", ActKind.Posture,
             new ActPhase("nod", 4f).To(Lids, 1f).To(NeckPitch, -0.1f).To(Wings, -0.2f),
             new ActPhase("sleep", 14f).Lasting().With(new ActWave(Up, 0.02f, 2.5f)).With(new ActWave(Roll, 0.03f, 1f)),
             new ActPhase("wake", 2.4f).To(Lids, 0f).To(NeckPitch, 0f).To(Wings, 0f)),
@@ -79,8 +84,8 @@ internal static class Postures
             new ActPhase("rise", 2.6f).To(ForeDown, 0f).To(HindDown, 0f).To(ForeFold, 0f).To(HindFold, 0f).To(NeckPitch, 0f).To(Lids, 0f).To(Jaw, 0f).To(Ears, 0f))
             .Needing(ActNeeds.Legs | ActNeeds.Flanks).For(BodyBuild.Pawed | BodyBuild.Hoofed | BodyBuild.Columnar | BodyBuild.TwoLegged).OnTheSpot(),
         new Act("Die", ActKind.Posture,
-            new ActPhase("stagger", 1.4f).To(NeckPitch, 0.35f).To(NeckSide, -0.3f).To(Lids, 0.5f).To(Jaw, 0.5f).To(Ears, 0.8f).To(TailPitch, 0.4f),
-            new ActPhase("give way", 1.1f, ActEase.In).To(ForeDown, 0.7f).To(ForeFold, 0.7f).To(HindDown, 0.25f).To(HindFold, 0.2f).To(NeckPitch, 0.1f).To(NeckSide, 0f),
+            new ActPhase("stagger", 1.4f).To(NeckPitch, 0.35f).To(NeckSide, -0.3f).To(Lids, 0.5f).To(Jaw, 0.5f).To(Ears, 0.8f).To(TailPitch, 0.2f),
+            new ActPhase("give way", 1.1f, ActEase.In).To(ForeDown, 0.52f).To(ForeFold, 0.55f).To(HindDown, 0.46f).To(HindFold, 0.4f).To(NeckPitch, 0.2f).To(NeckSide, 0f).To(TailPitch, 0f),
             new ActPhase("drop", 1.2f, ActEase.In).To(ForeDown, 1f).To(HindDown, 1f).To(ForeFold, 1f).To(HindFold, 1f).To(NeckPitch, -0.5f).To(TailPitch, -0.3f),
             new ActPhase("slump", 1.8f, ActEase.Out).To(ForeFeetOut, 0.2f).To(ForeFootAhead, 0.3f).To(HindFeetAhead, -0.4f).To(HindFootAhead, 0.25f).To(NeckPitch, -0.9f).To(NeckSide, 0.6f).To(HeadRoll, 0.5f).To(HeadSide, 0.3f)
                 .To(BackSide, 0.2f).To(TailSide, 0.7f).To(TailPitch, -0.4f).To(Lids, 0.8f).To(Jaw, 0.35f).To(ArmsOut, 0.3f).To(Wings, 0.2f),
@@ -106,10 +111,11 @@ internal static class Postures
             .For(BodyBuild.Swimming | BodyBuild.Airborne),
         new Act("Die", ActKind.Posture,
             new ActPhase("reel", 2f).To(NeckPitch, 0.7f).To(HeadPitch, -0.3f).To(NeckSide, 0.4f).To(Jaw, 0.7f),
-            new ActPhase("drop", 1.6f, ActEase.In).To(NeckPitch, -0.9f).To(HeadPitch, 0f).To(NeckSide, -0.5f),
+            new ActPhase("sag", 1.6f).To(ForeDown, 0.45f).To(NeckPitch, 0.2f).To(HeadPitch, 0f).To(NeckSide, -0.2f).To(Lids, 0.4f),
+            new ActPhase("drop", 1.2f, ActEase.In).To(ForeDown, 1f).To(NeckPitch, -0.2f).To(NeckSide, -0.5f),
             new ActPhase("turn over", 2f).To(HeadRoll, 0.6f).To(NeckTwist, 0.4f).To(Jaw, 0.5f).To(Lids, 0.7f),
             new ActPhase("still", 5f).Lasting(),
-            new ActPhase("rise", 3f).To(NeckPitch, 0f).To(HeadRoll, 0f).To(NeckTwist, 0f).To(NeckSide, 0f).To(Jaw, 0f).To(Lids, 0f))
+            new ActPhase("rise", 3f).To(ForeDown, 0f).To(NeckPitch, 0f).To(HeadRoll, 0f).To(NeckTwist, 0f).To(NeckSide, 0f).To(Jaw, 0f).To(Lids, 0f))
             .For(BodyBuild.Legless),
     };
 

@@ -10,18 +10,10 @@ namespace CreatureGen.Motion.Acts.Playing;
 /// <summary>What one creature on the scene performs: sequences the player, the layer and what is brought to a target, and nothing else. Allocates nothing once it is made.</summary>
 internal sealed class Performer
 {
-    /// <summary>How often arms and jaw are brought out of the ground, and neck, tail and feelers, which go deeper, and by how much at most, radians: a turn that is spread over a chain raises its end about half as far.</summary>
-    private const int ClearingRounds = 3;
-    private const int FeelerRounds = 6;
-    private const float MaxCleared = 0.5f;
-
     /// <summary>How quickly what a standing creature does by itself gives way to an act, per second and per time unit of the act, whichever is quicker: gone before the act's first phase is at its end. And what counts as none.</summary>
     private const float StillRate = 9f;
     private const float StillRatePerUnit = 4f;
     private const float Nothing = 1e-3f;
-
-    /// <summary>How far a body is over, radians, from which on it lies on its flank: arms come out of the ground by another way there.</summary>
-    private const float Flanked = 0.6f;
 
     /// <summary>How far feet have to be off their places for the ground to bear the body instead.</summary>
     private const float Borne = 0.15f;
@@ -38,9 +30,7 @@ internal sealed class Performer
     private readonly ActLayer layer;
     private readonly float[] values = new float[Act.ChannelCount];
     private readonly Mood mood;
-
-    /// <summary>The way by which each arm is kept out of the ground: −1 ahead, 1 back, 0 where it is not in it.</summary>
-    private readonly float[] armWays;
+    private readonly GroundedEnds ends;
     private ActAim aim;
     private ActAim lastAim;
     private float side = 1f;
@@ -55,7 +45,7 @@ internal sealed class Performer
         this.room = room;
         layer = new ActLayer(body, room.Legs);
         mood = new Mood(body.TimeUnit(MotionSettings.Default.Gravity), body.Build);
-        armWays = new float[body.Arms.Length];
+        ends = new GroundedEnds(body);
     }
 
     /// <summary>What is performed at present; null for nothing.</summary>
@@ -148,7 +138,7 @@ internal sealed class Performer
         player.CopyFrom(other.player);
         layer.CopyFrom(other.layer);
         other.values.CopyTo(values, 0);
-        other.armWays.CopyTo(armWays, 0);
+        ends.CopyFrom(other.ends);
         mood.CopyFrom(other.mood);
         aim = other.aim;
         lastAim = other.lastAim;
@@ -207,7 +197,7 @@ internal sealed class Performer
     }
 
     /// <summary>Forgets by which way arms came out of the ground: what is shown next does not follow on what was shown before.</summary>
-    public void Forget() => Array.Clear(armWays, 0, armWays.Length);
+    public void Forget() => ends.Forget();
 
     /// <summary>Writes all that no leg carries.</summary>
     /// <param name="root">Where the creature is.</param>
@@ -225,17 +215,15 @@ internal sealed class Performer
         {
             RollOver(local, model);
             Settle(ground, local, model);
-            KeepOffGround(ground, body.Neck, body.HeadSkin, -1f, FeelerRounds, local, model);
-            KeepTailOffGround(ground, local, model);
-            for (int i = 0; i < body.Arms.Length; i++)
-            {
-                KeepArmOffGround(ground, body.Arms[i].Joints[1], body.ArmSkins[i], ref armWays[i], local, model);
-            }
+            ends.KeepHead(ground, over, local, model);
+            ends.KeepTail(ground, over, local, model);
+            ends.KeepArms(ground, over, layer.Loose > 0f, local, model);
         }
         else if (body.Build == BodyBuild.Legless)
         {
             // A crawler lies on the ground as it is: what it bends down comes to lie there.
-            KeepOffGround(ground, body.Neck, body.HeadSkin, -1f, FeelerRounds, local, model);
+            ends.LayDown(ground, Scalar.Clamp(values[(int)ActChannel.ForeDown], 0f, 1f), local, model);
+            ends.KeepHead(ground, over, local, model);
         }
 
         Bring(lastAim, player.LeftReach, root, carried, local, model);
@@ -243,8 +231,8 @@ internal sealed class Performer
         if (carried)
         {
             // What hangs on the head goes where that is brought.
-            KeepJawOffGround(ground, local, model);
-            KeepFeelersOffGround(ground, local, model);
+            ends.KeepJaw(ground, layer.JawTurn(values), local, model);
+            ends.KeepFeelers(ground, over, local, model);
         }
     }
 
@@ -254,8 +242,8 @@ internal sealed class Performer
     /// <param name="model">The same in model space.</param>
     public void KeepEndsOffGround(in ActGround ground, in Pose local, in Pose model)
     {
-        KeepTailOffGround(ground, local, model);
-        KeepFeelersOffGround(ground, local, model);
+        ends.KeepTail(ground, over, local, model);
+        ends.KeepFeelers(ground, over, local, model);
     }
 
     /// <summary>The joint that an act strikes or sounds with, and its place.</summary>
@@ -291,84 +279,6 @@ internal sealed class Performer
         if (over != 0f)
         {
             ForwardKinematics.LocalToModel(body.Skeleton, local, model);
-        }
-    }
-
-    /// <summary>
-    /// Swings an arm that would be in the ground out of it by the way that was the shorter one as it came there: it does not change its mind. One of a body that comes down on it goes
-    /// ahead, where there is room for it.
-    /// </summary>
-    private void KeepArmOffGround(in ActGround ground, int shoulder, BonePoints skin, ref float way, in Pose local, in Pose model)
-    {
-        // Beside a body on its flank it lies on the ground, and up is to the side.
-        float lying = Scalar.Smooth(Math.Abs(over) / Flanked);
-        for (int round = 0; round < ClearingRounds && lying < 1f; round++)
-        {
-            (float ahead, float back) = skin.Swing(ground, model.Positions[shoulder], model);
-            if (ahead == 0f)
-            {
-                way = round == 0 ? 0f : way;
-                break;
-            }
-
-            way = layer.Loose > 0f ? -1f : way != 0f ? way : ahead <= back ? -1f : 1f;
-            body.Neck.TurnJoint(body.Turns, shoulder, AxisRotation.Pitch((1f - lying) * way * Math.Min(way < 0f ? ahead : back, MaxCleared)), local);
-            Toolkit.Subtree.LocalToModel(body.Skeleton, shoulder, local, model);
-        }
-
-        for (int round = 0; round < ClearingRounds && lying > 0f; round++)
-        {
-            float raise = lying * Math.Min(skin.Raise(ground, model.Positions[shoulder], model), MaxCleared);
-            body.Neck.TurnJoint(body.Turns, shoulder, AxisRotation.Roll(over > 0f ? raise : -raise), local);
-            Toolkit.Subtree.LocalToModel(body.Skeleton, shoulder, local, model);
-        }
-    }
-
-    private void KeepTailOffGround(in ActGround ground, in Pose local, in Pose model) => KeepOffGround(ground, body.Tail, body.TailSkin, 1f, FeelerRounds, local, model);
-
-    private void KeepFeelersOffGround(in ActGround ground, in Pose local, in Pose model)
-    {
-        for (int i = 0; i < body.Feelers.Length; i++)
-        {
-            KeepOffGround(ground, body.Feelers[i], body.FeelerSkins[i], -1f, FeelerRounds, local, model);
-        }
-    }
-
-    /// <summary>Opens a mouth no farther than the ground below it lets the jaw come down.</summary>
-    private void KeepJawOffGround(in ActGround ground, in Pose local, in Pose model)
-    {
-        float open = layer.JawTurn(values);
-        for (int round = 0; round < ClearingRounds && open > 0f; round++)
-        {
-            float raise = body.JawSkin.Raise(ground, model.Positions[body.Jaw], model);
-            if (raise == 0f)
-            {
-                return;
-            }
-
-            float shut = Math.Min(raise, open);
-            open -= shut;
-            body.Neck.TurnJoint(body.Turns, body.Jaw, AxisRotation.Pitch(-shut), local);
-            Toolkit.Subtree.LocalToModel(body.Skeleton, body.Jaw, local, model);
-        }
-    }
-
-    /// <summary>Raises neck, feeler or tail where it would be in the ground, as seen from the root: before the whole body has to.</summary>
-    private void KeepOffGround(in ActGround ground, TurnedChain chain, BonePoints skin, float sign, int rounds, in Pose local, in Pose model)
-    {
-        for (int round = 0; round < rounds && chain.Count > 0; round++)
-        {
-            float raise = skin.Raise(ground, model.Positions[chain.Joints[0]], model);
-            if (raise == 0f)
-            {
-                return;
-            }
-
-            // Up is to the side of a body that lies on its flank.
-            float turn = sign * Math.Min(raise, MaxCleared);
-            FastTrigonometry.SinCos(over, out float sine, out float cosine);
-            chain.Turn(body.Turns, -turn * sine, turn * cosine, 0f, 0, local);
-            Toolkit.Subtree.LocalToModel(body.Skeleton, chain.Joints[0], local, model);
         }
     }
 

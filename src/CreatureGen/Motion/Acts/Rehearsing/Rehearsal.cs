@@ -23,6 +23,9 @@ internal sealed class Rehearsal
     private const float MaxSlip = 0.006f;
     private const float MaxSunk = 0.011f;
 
+    /// <summary>The first of a reflex, which begins before what the creature does by itself as it stands has died away.</summary>
+    private const float MaxSlipOfReflex = 0.003f;
+
     /// <summary>Part of the reach by which a contact may miss.</summary>
     public const float MaxMiss = 0.025f;
 
@@ -239,7 +242,7 @@ internal sealed class Rehearsal
             {
                 // Out of step with waves; the last is the end.
                 stage.Show(act, phase, k == moments ? 1 : (k - Offbeat) / moments, gain, aim);
-                if (body.Legs != null && stage.Slip() > MaxSlip)
+                if (body.Legs != null && stage.Slip() > (act.Kind == ActKind.Reflex ? MaxSlipOfReflex : MaxSlip))
                 {
                     yield return "its feet would not stay where they stand";
                     yield break;
