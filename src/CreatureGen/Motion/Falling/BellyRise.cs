@@ -14,6 +14,10 @@ internal sealed class BellyRise : IRise
     /// <summary>Part of the time of the act in which who fell gets up: it was not lying at ease.</summary>
     private const float Haste = 0.65f;
 
+    /// <summary>Parts of the rise in which the place is sought at which its trunk is so high, and how many of them may be left out.</summary>
+    private const int Parts = 20;
+    private const int MaxLeftOut = 13;
+
     private readonly FallProfile profile;
     private readonly LyingManner manner;
     private readonly WalkingMode legs;
@@ -23,6 +27,7 @@ internal sealed class BellyRise : IRise
     private readonly float[] values = new float[Act.ChannelCount];
     private readonly ActFlow flow;
     private float lift;
+    private float start;
 
     public BellyRise(FallProfile profile, LyingManner manner, WalkingMode legs)
     {
@@ -44,24 +49,33 @@ internal sealed class BellyRise : IRise
     }
 
     /// <inheritdoc/>
-    public void Begin(in RootPlace place, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
+    public void Begin(in RootPlace place, in MotionSettings settings, IGround ground, BodyLayer? layer, float height, in Pose local)
     {
         performer.Forget();
         lift = 0f;
-        Show(0f, place, 0f, settings, layer, local);
-        shown.Take(local);
-        shown.Finish();
+        for (int part = 0; part <= MaxLeftOut; part++)
+        {
+            start = (float)part / Parts;
+            Show(0f, place, 0f, settings, layer, local);
+            shown.Take(local);
+            shown.Finish();
+            if (profile.TrunkHeight(shown.Model) >= height)
+            {
+                break;
+            }
+        }
+
         lift = Math.Max(0f, -profile.Support.Lowest(BodyPart.Trunk | BodyPart.Limb, place, shown.Model, settings.Up, ground, out _));
         profile.Raise(local, lift);
     }
 
     /// <inheritdoc/>
-    public float Seconds(float tau) => Haste * flow.Duration * tau * manner.Tempo;
+    public float Seconds(float tau) => Haste * (1f - start) * flow.Duration * tau * manner.Tempo;
 
     /// <inheritdoc/>
     public void Show(float u, in RootPlace place, float dt, in MotionSettings settings, BodyLayer? layer, in Pose local)
     {
-        flow.Write(u, values);
+        flow.Write(start + ((1f - start) * u), values);
         performer.Show(values, default, place);
         asked.CopyFrom(performer.Trunk!);
         asked.Still = 0f;
@@ -79,6 +93,6 @@ internal sealed class BellyRise : IRise
     {
         var rise = (BellyRise)other;
         performer.CopyFrom(rise.performer);
-        lift = rise.lift;
+        (lift, start) = (rise.lift, rise.start);
     }
 }

@@ -51,6 +51,7 @@ internal sealed class FallProfile
     private static readonly TimeWindow rest = new(0.1f, 0.9f);
 
     private readonly Lazy<LyingManner?> lying;
+    private readonly int[] trunk;
 
     private FallProfile(MotionSubject subject, LeggedBody? legs, GaitSet? gaits, Func<LyingManner?> lies)
     {
@@ -65,6 +66,7 @@ internal sealed class FallProfile
         Windows = WindowsOf(subject.Skeleton);
         Neck = JointsOf(subject.Skeleton, role => role is JointRole.Neck or JointRole.Head);
         Tail = JointsOf(subject.Skeleton, role => role == JointRole.Tail);
+        trunk = JointsOf(subject.Skeleton, role => role is JointRole.Pelvis or JointRole.Spine or JointRole.Chest);
         Overlaid = JointsOf(subject.Skeleton, role => role is JointRole.Neck or JointRole.Head or JointRole.Jaw or JointRole.Eye or JointRole.Antenna or JointRole.Tail);
         Limbs = LyingLimb.Of(legs);
         lying = new Lazy<LyingManner?>(() => legs == null || Array.Exists(legs.Legs, leg => leg.Lateral) ? null : lies());
@@ -106,6 +108,18 @@ internal sealed class FallProfile
 
     /// <summary>For each joint how much what hangs on it resists turning, kg m²; 0 where it does not give to a blow.</summary>
     public float[] Inertias { get; }
+
+    /// <summary>How high the middle of the trunk of a pose in model space is, metres.</summary>
+    public float TrunkHeight(in Pose model)
+    {
+        float sum = 0f;
+        foreach (int joint in trunk)
+        {
+            sum += model.Positions[joint].Y;
+        }
+
+        return sum / Math.Max(trunk.Length, 1);
+    }
 
     /// <summary>Joints of neck and head.</summary>
     public int[] Neck { get; }

@@ -30,6 +30,12 @@ internal sealed class GettingUp
     /// <summary>Part of the rise in which a body comes down again that head, tail or wings keep off the ground once it has gathered itself.</summary>
     private const float Lowered = 0.4f;
 
+    /// <summary>How much higher than where it rises from it may heave itself, leg lengths: from higher it rises at once.</summary>
+    private const float MaxHeave = 0.08f;
+
+    /// <summary>How much more it may heave itself for that, leg lengths.</summary>
+    private const float MoreHeave = 0.03f;
+
     /// <summary>How fast the joints of legs turn towards where they belong at most, radians per τ.</summary>
     private const float FastestLimb = 4f;
 
@@ -79,13 +85,48 @@ internal sealed class GettingUp
     {
         limp.Show(place, 0f, settings, ground, from.Local);
         from.Finish();
+        Prepare(float.MinValue, place, settings, ground, layer);
+        if (drawn.Length == 0)
+        {
+            return;
+        }
+
+        float height = Foresee(place, settings, ground);
+        if (rise > 0f && height - Lies() > MaxHeave * profile.Height)
+        {
+            Prepare(height, place, settings, ground, layer);
+            if (Foresee(place, settings, ground) > Math.Max(height, Lies()) + (MoreHeave * profile.Height))
+            {
+                // Its legs come to there by a way that is higher yet.
+                Prepare(float.MinValue, place, settings, ground, layer);
+                Foresee(place, settings, ground);
+            }
+        }
+    }
+
+    /// <summary>How high the middle of its trunk is where it rises from, metres of the model.</summary>
+    private float Lies()
+    {
+        shown.Take(to.Pose);
+        shown.Finish();
+        return profile.TrunkHeight(shown.Model);
+    }
+
+    /// <summary>Finds where it rises from, and how long it takes.</summary>
+    /// <param name="height">How high its trunk is to be there, metres of the model.</param>
+    /// <param name="place">Where it will stand.</param>
+    /// <param name="settings">Up and gravity.</param>
+    /// <param name="ground">What it lies on.</param>
+    /// <param name="layer">What an act asks of trunk and feet.</param>
+    private void Prepare(float height, in RootPlace place, in MotionSettings settings, IGround ground, BodyLayer? layer)
+    {
         folded.Take(from.Local);
         to.SetToRest();
         inner.Stand(place, settings, ground, layer, to.Pose);
         bool rises = rising != null && inner.IsOnFeet;
         if (rises)
         {
-            rising!.Begin(place, settings, ground, layer, to.Pose);
+            rising!.Begin(place, settings, ground, layer, height, to.Pose);
         }
 
         for (int j = 0; j < goesAround.Length; j++)
@@ -106,10 +147,6 @@ internal sealed class GettingUp
         rise = rises ? rising!.Seconds(tau) : 0f;
         elapsed = 0f;
         over = profile.Swims ? default : GroundClearance.Clear(profile, shown, place, 0f, settings.Up, ground);
-        if (drawn.Length > 0)
-        {
-            Foresee(place, settings, ground);
-        }
     }
 
     /// <summary>Goes on.</summary>
@@ -168,18 +205,22 @@ internal sealed class GettingUp
         other.goesAround.CopyTo(goesAround, 0);
     }
 
-    /// <summary>Finds how high the body has to heave itself as it draws its legs in.</summary>
-    private void Foresee(in RootPlace place, in MotionSettings settings, IGround ground)
+    /// <summary>Finds how high the body has to heave itself as it draws its legs in, and how high the middle of its trunk comes, metres of the model.</summary>
+    private float Foresee(in RootPlace place, in MotionSettings settings, IGround ground)
     {
+        float highest = float.MinValue;
         for (int i = 0; i <= Heave.Parts; i++)
         {
             float u = (float)i / Heave.Parts;
             Gather(u, gather / Heave.Parts, 0f, place, settings, ground);
-            heave.Ask(i, DepthAt(u) - profile.Support.Lowest(BodyPart.Trunk | BodyPart.Limb, place, shown.Model, settings.Up, ground, out _));
+            float asked = DepthAt(u) - profile.Support.Lowest(BodyPart.Trunk | BodyPart.Limb, place, shown.Model, settings.Up, ground, out _);
+            heave.Ask(i, asked);
+            highest = Math.Max(highest, Math.Max(asked, 0f) + profile.TrunkHeight(shown.Model));
         }
 
         heave.Finish();
         folded.Take(from.Local);
+        return highest;
     }
 
     /// <summary>How far below the ground skin may be: less and less of what was in it, metres of the model, not positive.</summary>

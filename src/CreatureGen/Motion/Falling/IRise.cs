@@ -11,8 +11,9 @@ internal interface IRise
     /// <param name="settings">Up and gravity.</param>
     /// <param name="ground">What it lies on.</param>
     /// <param name="layer">What an act or a mood asks of trunk and feet.</param>
+    /// <param name="height">How high the middle of its trunk is to be at the least, metres of the model, as far as it is before it stands: lower it would only come down to rise again.</param>
     /// <param name="local">The pose in which it stands; receives that in which it begins.</param>
-    void Begin(in RootPlace place, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local);
+    void Begin(in RootPlace place, in MotionSettings settings, IGround ground, BodyLayer? layer, float height, in Pose local);
 
     /// <summary>Seconds that it takes.</summary>
     /// <param name="tau">√(leg length / gravity).</param>

@@ -264,6 +264,37 @@ public sealed class GettingUpTests
         Assert.InRange(SecondsToRise(profile) / MathF.Sqrt(profile.LegLength / 9.81f), 5f, 11f);
     }
 
+    /// <summary>They were heaved up as their legs came under them, lay down on these by .22 to .55 of a leg and rose again.</summary>
+    [Theory]
+    [InlineData(12500231UL)]
+    [InlineData(12500055UL, Explicit = true)]
+    [InlineData(12500020UL, Explicit = true)]
+    public void Who_is_heaved_up_by_its_legs_rises_from_there(ulong seed)
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        CreatureAnimator animator = Lying(profile);
+        animator.GetUp();
+        float highest = 0f;
+        float down = 0f;
+        for (int i = 0; i < 3000 && animator.State != BodyState.Supported; i++)
+        {
+            animator.Update(Frame, default, FlatGround.Level);
+            highest = MathF.Max(highest, Trunk(animator));
+            down = MathF.Max(down, highest - Trunk(animator));
+        }
+
+        Assert.Equal(BodyState.Supported, animator.State);
+        Assert.InRange(down / profile.LegLength, 0f, 0.16f);
+    }
+
+    /// <summary>It took 10 from where it stood already.</summary>
+    [Fact]
+    public void Who_hardly_crouches_rises_in_less_time()
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(12500001, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        Assert.InRange(SecondsToRise(profile) / MathF.Sqrt(profile.LegLength / 9.81f), 4f, 9f);
+    }
+
     /// <summary>Who has been limp for six seconds.</summary>
     internal static CreatureAnimator Lying(MotionProfile profile)
     {
