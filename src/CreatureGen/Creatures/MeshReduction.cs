@@ -12,7 +12,7 @@ namespace CreatureGen.Creatures;
 /// <remarks>
 /// Points go one by one; small pieces that sit on the creature go as a whole when they cost less than another point. All is done on the left side, and the right is its image (<see cref="MirroredHalf"/>).
 /// Steps are taken in rounds: all points that might go are put in the order of what that costs, and as many of the cheapest as are too many go, but those around which something changed in the same round, which wait for the next one.
-/// Afterwards the surface is searched for places where it cuts through itself; where there are some it is put back to what it was, and without the steps that led there all is done again.
+/// Afterwards the surface is searched for places where it cuts through itself; where there are some it is put back to what it was, and the steps are taken once more without those that led there.
 /// The order depends on nothing but the mesh, so that a coarse level is always a coarsening of a finer one.
 /// </remarks>
 internal sealed class MeshReduction : IDisposable
@@ -26,8 +26,7 @@ internal sealed class MeshReduction : IDisposable
     private readonly CostOrder order;
     private readonly int[] twin;
     private readonly ReductionPieces pieces;
-    private readonly int[] remap;
-    private readonly int[] standsFor;
+    private readonly ReductionRemap remap;
 
     // What may go, points by their number and pieces by theirs after those of the points, and what that costs: infinite for those that may not now. A point whose cost has to be worked out anew is stale.
     private readonly int[] candidates;
@@ -38,10 +37,14 @@ internal sealed class MeshReduction : IDisposable
 
     // Points that may not go, because the surface would cut through itself.
     private readonly bool[] held;
+    private readonly bool[] changed;
     private readonly bool[] wereUsed;
     private readonly SavedArrays saved;
     private readonly List<(int From, int To)> pairs = new();
     private readonly List<(int From, int To)> twinPairs = new();
+
+    // The steps that have been taken to the level that is made: what went, and for a point its neighbour.
+    private readonly List<(int Item, int To)> taken = new();
     private int savedTriangles;
     private int savedCandidates;
 
@@ -56,11 +59,11 @@ internal sealed class MeshReduction : IDisposable
         cost = new ReductionCost(mesh, subject);
         choice = new StepChoice(surface, cost, subject);
         crossings = new CrossingSearch(subject.Positions, subject.Corners, subject.PieceOf, subject.Box);
-        remap = Identity(subject.PointOf.Length);
-        standsFor = Identity(subject.Points);
+        remap = new ReductionRemap(subject);
         pieces = new ReductionPieces(subject);
         held = new bool[subject.Points];
         wereUsed = new bool[subject.Points];
+        changed = new bool[subject.Points];
         stale = new bool[subject.Points];
         cheapest = new int[subject.Points];
         costs = new float[subject.Points + pieces.Lost.Length];
@@ -81,7 +84,7 @@ internal sealed class MeshReduction : IDisposable
             candidateCount += float.IsInfinity(costs[item]) ? 0 : 1;
         }
 
-        saved = new SavedArrays(remap, standsFor, pieces.Lost, stale, cheapest, costs, candidates);
+        saved = new SavedArrays(pieces.Lost, stale, cheapest, costs, candidates);
     }
 
     /// <summary>Triangles that are left.</summary>
@@ -96,13 +99,16 @@ internal sealed class MeshReduction : IDisposable
         }
 
         Save();
+        taken.Clear();
         TakeSteps(triangles);
         while (crossings.Find(surface) > 0 && HoldWhatLedThere())
         {
             Restore();
+            TakeAgain();
             TakeSteps(triangles);
         }
 
+        crossings.Inherit();
         for (int p = 0; p < held.Length; p++)
         {
             stale[p] |= held[p];
@@ -111,24 +117,13 @@ internal sealed class MeshReduction : IDisposable
     }
 
     /// <summary>The mesh as it is now, over the same vertices.</summary>
-    public CreatureLod ToLevel() => CreatureLod.Of(mesh, FinalRemap(), subject.PlaceOf);
+    public CreatureLod ToLevel() => CreatureLod.Of(mesh, remap.Final(surface, pieces, choice), subject.PlaceOf);
 
     /// <summary>Gives borrowed memory back; nothing may be asked of it any more.</summary>
     public void Dispose()
     {
         cost.Dispose();
         crossings.Dispose();
-    }
-
-    private static int[] Identity(int count)
-    {
-        int[] identity = new int[count];
-        for (int i = 0; i < count; i++)
-        {
-            identity[i] = i;
-        }
-
-        return identity;
     }
 
     /// <summary>Takes steps in rounds until no more than a number of triangles are left.</summary>
@@ -140,7 +135,10 @@ internal sealed class MeshReduction : IDisposable
         {
             goesOn = Refresh();
             ReadOnlySpan<int> cheapestFirst = order.Sort(candidates.AsSpan(0, candidateCount), costs);
-            int enough = Math.Min(cheapestFirst.Length, (Triangles - triangles + TrianglesOfStep - 1) / TrianglesOfStep);
+            int enough = (Triangles - triangles + TrianglesOfStep - 1) / TrianglesOfStep;
+
+            // Some of them will not do or have to wait: a few more save a round.
+            enough = Math.Min(cheapestFirst.Length, enough + (enough / 4) + 16);
             goesOn |= enough > 0;
             float limit = enough > 0 ? costs[cheapestFirst[enough - 1]] : 0f;
             for (int i = 0; i < enough && Triangles > triangles; i++)
@@ -148,8 +146,7 @@ internal sealed class MeshReduction : IDisposable
                 int item = cheapestFirst[i];
                 if (item >= subject.Points)
                 {
-                    Triangles -= pieces.Lose(item - subject.Points, surface);
-                    costs[item] = float.PositiveInfinity;
+                    Lose(item);
                 }
                 else if (!stale[item])
                 {
@@ -178,8 +175,8 @@ internal sealed class MeshReduction : IDisposable
                 {
                     stale[item] = false;
                     any = true;
-                    cheapest[item] = choice.FindCheapest(item, out double leastCost);
-                    costs[item] = held[item] ? float.PositiveInfinity : (float)leastCost;
+                    cheapest[item] = choice.FindCheapest(item, out float leastCost);
+                    costs[item] = held[item] ? float.PositiveInfinity : leastCost;
                 }
             }
 
@@ -210,7 +207,7 @@ internal sealed class MeshReduction : IDisposable
         for (int i = 0; i < choice.Ranked.Count; i++)
         {
             int to = choice.Ranked[i];
-            float price = (float)choice.CostOf(i);
+            float price = choice.CostOf(i);
             if (price > limit && price > tried)
             {
                 cheapest[point] = to;
@@ -231,50 +228,109 @@ internal sealed class MeshReduction : IDisposable
     /// <summary>Pulls a point onto a neighbour, and in pieces of which both sides are there the mirror image of the one onto that of the other; both or none.</summary>
     private bool TryBoth(int from, int to)
     {
-        int twinFrom = twin[from];
-        int twinTo = twin[to];
-        int before = surface.Triangles;
-        surface.Prune(to);
         if (!surface.Allows(from, to))
         {
             return false;
         }
 
-        surface.Prune(twinFrom);
-        surface.Prune(twinTo);
-        choice.Match(from, to, pairs);
-        surface.Collapse(from, to, pairs);
-        if (twinFrom != from)
+        int twinFrom = twin[from];
+        int twinTo = twin[to];
+        if (twinFrom == from)
         {
-            if (!surface.Allows(twinFrom, twinTo))
-            {
-                surface.Undo();
-                return false;
-            }
-
-            choice.Match(twinFrom, twinTo, twinPairs);
-            surface.Collapse(twinFrom, twinTo, twinPairs);
-            Accept(twinFrom, twinTo, twinPairs);
+            Take(from, to);
+            return true;
         }
 
+        int before = surface.Triangles;
+        choice.Match(from, to, pairs);
+        surface.Collapse(from, to, pairs);
+        if (!surface.Allows(twinFrom, twinTo))
+        {
+            surface.Undo();
+            return false;
+        }
+
+        choice.Match(twinFrom, twinTo, twinPairs);
+        surface.Collapse(twinFrom, twinTo, twinPairs);
+        Accept(twinFrom, twinTo, twinPairs);
         Accept(from, to, pairs);
-        Triangles -= (before - surface.Triangles) * pieces.SidesOf(subject.PieceOf[from]);
+        Triangles -= before - surface.Triangles;
         return true;
     }
 
-    private void Accept(int from, int to, List<(int From, int To)> taken)
+    /// <summary>Pulls a point that has no mirror image but itself onto a neighbour, where that is allowed.</summary>
+    private void Take(int from, int to)
+    {
+        int before = surface.Triangles;
+        choice.Match(from, to, pairs);
+        surface.Collapse(from, to, pairs);
+        Accept(from, to, pairs);
+        Triangles -= (before - surface.Triangles) * pieces.SidesOf(subject.PieceOf[from]);
+    }
+
+    /// <summary>Removes a piece.</summary>
+    private void Lose(int item)
+    {
+        Triangles -= pieces.Lose(item - subject.Points, surface);
+        costs[item] = float.PositiveInfinity;
+        taken.Add((item, -1));
+    }
+
+    /// <summary>Takes the steps once more that have been taken, without those of points that are held by now. What they cost need not be worked out again, and where the surface is as it was then nor whether they are allowed.</summary>
+    private void TakeAgain()
+    {
+        Array.Clear(changed, 0, changed.Length);
+        int count = taken.Count;
+        for (int i = 0; i < count; i++)
+        {
+            (int item, int to) = taken[i];
+            if (item >= subject.Points)
+            {
+                Lose(item);
+            }
+            else if (held[item])
+            {
+                MarkChanged(item);
+            }
+            else if (twin[item] == item && !changed[item] && !changed[to])
+            {
+                Take(item, to);
+                Note(item, to);
+            }
+            else if (TryBoth(item, to))
+            {
+                Note(item, to);
+                MarkChanged(to);
+            }
+            else
+            {
+                MarkChanged(item);
+            }
+        }
+
+        taken.RemoveRange(0, count);
+    }
+
+    /// <summary>Marks a point and its neighbours as such that may have others around them than when the steps were first taken.</summary>
+    private void MarkChanged(int point)
+    {
+        changed[point] = true;
+        foreach (int n in surface.Neighbours(point))
+        {
+            changed[n] = true;
+        }
+    }
+
+    private void Accept(int from, int to, List<(int From, int To)> matched)
     {
         cost.Merge(from, to);
-        standsFor[from] = to;
-        foreach ((int vertex, int other) in taken)
-        {
-            remap[vertex] = other;
-        }
+        remap.Take(from, to, matched);
     }
 
     /// <summary>Gives the points around a step another chance: what the others cost has not changed.</summary>
     private void Note(int from, int to)
     {
+        taken.Add((from, to));
         NoteAround(from, to);
         if (twin[from] != from)
         {
@@ -296,9 +352,9 @@ internal sealed class MeshReduction : IDisposable
     private bool HoldWhatLedThere()
     {
         bool any = false;
-        for (int p = 0; p < standsFor.Length; p++)
+        for (int p = 0; p < held.Length; p++)
         {
-            if (!held[p] && subject.Side[p] >= 0 && wereUsed[p] && standsFor[p] != p && (crossings.Touches(End(p, standsFor)) || crossings.Touches(End(twin[p], standsFor))))
+            if (!held[p] && subject.Side[p] >= 0 && wereUsed[p] && remap.HasGone(p) && (crossings.Touches(remap.PointFor(p)) || crossings.Touches(remap.PointFor(twin[p]))))
             {
                 held[p] = true;
                 any = true;
@@ -308,47 +364,13 @@ internal sealed class MeshReduction : IDisposable
         return any;
     }
 
-    /// <summary>For each vertex of the mesh the one that stands for it, −1 when its piece is lost.</summary>
-    private int[] FinalRemap()
-    {
-        bool[] used = new bool[remap.Length];
-        for (int c = 0; c < subject.Vertices.Length; c++)
-        {
-            used[subject.Vertices[c]] |= !surface.IsGone(c / 3);
-        }
-
-        int[] final = new int[remap.Length];
-        for (int v = 0; v < final.Length; v++)
-        {
-            final[v] = v;
-            if (subject.PointOf[v] >= 0)
-            {
-                int point = End(subject.PointOf[v], standsFor);
-
-                // The last triangle of a vertex may have gone while its point stayed with others.
-                int at = End(v, remap);
-                final[v] = pieces.Lost[subject.PieceOf[point]] ? -1 : used[at] ? at : choice.MaxAlike(v, point);
-            }
-        }
-
-        int[] images = subject.Half.Image;
-        for (int v = 0; v < final.Length; v++)
-        {
-            if (images[v] >= 0 && images[v] != v)
-            {
-                final[images[v]] = final[v] < 0 ? -1 : images[final[v]];
-            }
-        }
-
-        return final;
-    }
-
     private void Save()
     {
         savedTriangles = Triangles;
         savedCandidates = candidateCount;
         surface.Save();
         cost.Save();
+        remap.Save();
         saved.Save();
         for (int p = 0; p < wereUsed.Length; p++)
         {
@@ -362,20 +384,11 @@ internal sealed class MeshReduction : IDisposable
         candidateCount = savedCandidates;
         surface.Restore();
         cost.Restore();
+        remap.Restore();
         saved.Restore();
         for (int p = 0; p < held.Length; p++)
         {
             costs[p] = held[p] ? float.PositiveInfinity : costs[p];
         }
-    }
-
-    private static int End(int at, int[] chain)
-    {
-        while (chain[at] != at)
-        {
-            at = chain[at];
-        }
-
-        return at;
     }
 }

@@ -20,34 +20,32 @@ namespace CreatureGen.Creatures;
 internal sealed class ReductionCost : IDisposable
 {
     /// <summary>Metres that a change of all weights counts for, per metre between the points: a joint between them bends by about this angle, radians.</summary>
-    private const double Bend = 0.35;
+    private const float Bend = 0.35f;
 
     /// <summary>Metres that any step counts for, per metre between the points, so that level places lose their short edges first.</summary>
-    private const double Stretch = 0.03;
+    private const float Stretch = 0.03f;
 
     /// <summary>Metres that a change from black to white counts for, per metre of the creature's diagonal.</summary>
-    private const double Contrast = 0.008;
+    private const float Contrast = 0.008f;
 
     /// <summary>Metres that leaving the place in the texture counts for, per metre of the creature's diagonal.</summary>
-    private const double Tear = 0.02;
+    private const float Tear = 0.02f;
 
     /// <summary>Metres that leaving the ground counts for, per metre of the creature's diagonal: soles stay where they stand.</summary>
-    private const double Lift = 0.2;
+    private const float Lift = 0.2f;
 
     /// <summary>Metres that a piece which vanishes counts for, per metre of its diagonal.</summary>
-    private const double Loss = 1;
+    private const float Loss = 1f;
 
     private readonly Vector3[] positions;
     private readonly Quadric[] quadrics;
     private readonly Quadric[] savedQuadrics;
-    private readonly double[] areas;
-    private readonly SavedArrays savedAreas;
-    private readonly double[] simplificationWeight;
+    private readonly float[] simplificationWeight;
     private readonly SkinWeights[] weights;
     private readonly Vector3[] colours;
-    private readonly double contrast;
-    private readonly double tear;
-    private readonly double lift;
+    private readonly float contrast;
+    private readonly float tear;
+    private readonly float lift;
 
     /// <summary>Measures the surface.</summary>
     /// <param name="mesh">What is drawn.</param>
@@ -60,23 +58,19 @@ internal sealed class ReductionCost : IDisposable
         quadrics = ArrayPool<Quadric>.Shared.Rent(positions.Length);
         savedQuadrics = ArrayPool<Quadric>.Shared.Rent(positions.Length);
         Array.Clear(quadrics, 0, positions.Length);
-        areas = new double[positions.Length];
-        savedAreas = new SavedArrays(areas);
         for (int t = 0; t < corners.Length; t += 3)
         {
             Vector3 a = positions[corners[t]];
             Vector3 cross = Vec.Cross(positions[corners[t + 1]] - a, positions[corners[t + 2]] - a);
-            double area = Vec.Length(cross) / 2.0;
-            Quadric quadric = Quadric.OfPlane(Vec.Normalize(cross, Vector3.UnitY), a, area / 3);
+            Quadric quadric = Quadric.OfPlane(Vec.Normalize(cross, Vector3.UnitY), 0f, Vec.Length(cross) / 6f);
             for (int c = t; c < t + 3; c++)
             {
                 quadrics[corners[c]] += quadric;
-                areas[corners[c]] += area / 3;
             }
         }
 
         weights = ArrayPool<SkinWeights>.Shared.Rent(positions.Length);
-        simplificationWeight = new double[positions.Length];
+        simplificationWeight = new float[positions.Length];
         colours = new Vector3[pointOf.Length];
         for (int v = 0; v < pointOf.Length; v++)
         {
@@ -86,15 +80,15 @@ internal sealed class ReductionCost : IDisposable
             }
 
             weights[pointOf[v]] = mesh.Weights[v];
-            double seen = mesh.SimplificationWeight is null ? 1 : mesh.SimplificationWeight[v];
-            simplificationWeight[pointOf[v]] = seen * seen * seen * seen * (subject.Rim[pointOf[v]] ? 2 : 1);
+            float seen = mesh.SimplificationWeight is null ? 1f : mesh.SimplificationWeight[v];
+            simplificationWeight[pointOf[v]] = seen * seen * seen * seen * (subject.Rim[pointOf[v]] ? 2f : 1f);
 
             // The root is nearer to what the eye makes of brightness.
             Vector3 c = mesh.Colours[v];
-            colours[v] = new Vector3((float)Math.Sqrt(Math.Max(c.X, 0f)), (float)Math.Sqrt(Math.Max(c.Y, 0f)), (float)Math.Sqrt(Math.Max(c.Z, 0f)));
+            colours[v] = new Vector3(MathF.Sqrt(Math.Max(c.X, 0f)), MathF.Sqrt(Math.Max(c.Y, 0f)), MathF.Sqrt(Math.Max(c.Z, 0f)));
         }
 
-        double diagonal = subject.Box.Diagonal;
+        float diagonal = (float)subject.Box.Diagonal;
         contrast = Contrast * diagonal;
         tear = Tear * diagonal;
         lift = Lift * diagonal;
@@ -106,15 +100,15 @@ internal sealed class ReductionCost : IDisposable
     /// <param name="shape">What <see cref="ShapeOf"/> says of the step.</param>
     /// <param name="pairs">For each vertex of <paramref name="from"/> the one that takes its place.</param>
     /// <param name="torn">Whether one of them leaves its place in the texture.</param>
-    public double Of(int from, int to, double shape, List<(int From, int To)> pairs, bool torn)
+    public float Of(int from, int to, float shape, List<(int From, int To)> pairs, bool torn)
     {
-        double colour = 0;
+        float colour = 0;
         foreach ((int From, int To) pair in pairs)
         {
             colour += Difference(pair.From, pair.To);
         }
 
-        return CostOf(from, to, shape, colour / pairs.Count, torn ? tear * tear : 0);
+        return CostOf(from, to, shape, colour / pairs.Count, torn ? tear * tear : 0f);
     }
 
     /// <summary>The cost of a step between points with one vertex each, as <see cref="Of"/> has it.</summary>
@@ -123,44 +117,50 @@ internal sealed class ReductionCost : IDisposable
     /// <param name="shape">What <see cref="ShapeOf"/> says of the step.</param>
     /// <param name="vertex">The vertex of <paramref name="from"/>.</param>
     /// <param name="other">The vertex of <paramref name="to"/>.</param>
-    public double OfPlain(int from, int to, double shape, int vertex, int other) => CostOf(from, to, shape, Difference(vertex, other), 0);
+    public float OfPlain(int from, int to, float shape, int vertex, int other) => CostOf(from, to, shape, Difference(vertex, other), 0);
 
     /// <summary>How much the shape changes in a step, m⁴: worked out once for the two costs that are asked for.</summary>
-    public double ShapeOf(int from, int to) => quadrics[from].At(positions[to]);
+    public float ShapeOf(int from, int to) => quadrics[from].At(positions[to] - positions[from]);
 
-    /// <summary>A cost that <see cref="Of"/> does not fall below, whatever the rounding: the shape alone.</summary>
-    public double MinOf(int from, int to, double shape) =>
-        simplificationWeight[from] * (shape + (areas[from] * (Vec.LengthSquared(positions[from] - positions[to]) * (Stretch * Stretch))));
+    /// <summary>For steps to neighbours of a point the shape, as <see cref="ShapeOf"/> has it, and a cost that <see cref="Of"/> does not fall below, whatever the rounding: that of the shape alone.</summary>
+    public void Bound(int from, ReadOnlySpan<int> to, Span<float> shapes, Span<float> bounds)
+    {
+        Quadric quadric = quadrics[from];
+        Vector3 at = positions[from];
+        float factor = simplificationWeight[from];
+        float stretch = quadric.Weight * (Stretch * Stretch);
+        for (int i = 0; i < to.Length; i++)
+        {
+            Vector3 way = positions[to[i]] - at;
+            float shape = quadric.At(way);
+            shapes[i] = shape;
+            bounds[i] = factor * (shape + (Vec.LengthSquared(way) * stretch)) * 0.99999f;
+        }
+    }
+
+    /// <summary>What it costs more to pull a point out of its place in the texture.</summary>
+    public float OfTear(int from) => simplificationWeight[from] * quadrics[from].Weight * tear * tear * 0.99999f;
 
     /// <summary>The cost of the loss of a piece.</summary>
     /// <param name="point">One of its points.</param>
     /// <param name="area">Its area, square metres.</param>
     /// <param name="diagonal">Diagonal of its box, metres.</param>
-    public double OfLoss(int point, double area, double diagonal) => simplificationWeight[point] * area * Loss * diagonal * Loss * diagonal;
+    public float OfLoss(int point, float area, float diagonal) => simplificationWeight[point] * area * Loss * diagonal * Loss * diagonal;
 
     /// <summary>Squared difference of two vertices' colours as the eye sees it.</summary>
-    public double Difference(int vertex, int other) => Vec.LengthSquared(colours[vertex] - colours[other]);
+    public float Difference(int vertex, int other) => Vec.LengthSquared(colours[vertex] - colours[other]);
 
     /// <summary>Lets a point stand for another one as well.</summary>
     public void Merge(int from, int to)
     {
-        quadrics[to] += quadrics[from];
-        areas[to] += areas[from];
+        quadrics[to] += quadrics[from].About(positions[to] - positions[from]);
     }
 
     /// <summary>Keeps what each point stands for.</summary>
-    public void Save()
-    {
-        Array.Copy(quadrics, savedQuadrics, areas.Length);
-        savedAreas.Save();
-    }
+    public void Save() => Array.Copy(quadrics, savedQuadrics, positions.Length);
 
     /// <summary>Lets each point stand for what it stood for when that was saved.</summary>
-    public void Restore()
-    {
-        Array.Copy(savedQuadrics, quadrics, areas.Length);
-        savedAreas.Restore();
-    }
+    public void Restore() => Array.Copy(savedQuadrics, quadrics, positions.Length);
 
     /// <inheritdoc/>
     public void Dispose()
@@ -170,28 +170,28 @@ internal sealed class ReductionCost : IDisposable
         ArrayPool<SkinWeights>.Shared.Return(weights);
     }
 
-    private double CostOf(int from, int to, double shape, double colour, double torn)
+    private float CostOf(int from, int to, float shape, float colour, float torn)
     {
-        double distance = Vec.LengthSquared(positions[from] - positions[to]);
-        double bend = Bend * WeightChange(weights[from], weights[to]);
-        double seeming = (distance * ((bend * bend) + (Stretch * Stretch))) + (colour * contrast * contrast) + torn;
-        seeming += positions[from].Y == 0f && positions[to].Y != 0f ? lift * lift : 0;
-        return simplificationWeight[from] * (shape + (areas[from] * seeming));
+        float distance = Vec.LengthSquared(positions[from] - positions[to]);
+        float bend = Bend * WeightChange(weights[from], weights[to]);
+        float seeming = (distance * ((bend * bend) + (Stretch * Stretch))) + (colour * contrast * contrast) + torn;
+        seeming += positions[from].Y == 0f && positions[to].Y != 0f ? lift * lift : 0f;
+        return simplificationWeight[from] * (shape + (quadrics[from].Weight * seeming));
     }
 
     /// <summary>0 for equal weights, 1 for weights on other joints.</summary>
-    private static double WeightChange(in SkinWeights a, in SkinWeights b)
+    private static float WeightChange(in SkinWeights a, in SkinWeights b)
     {
-        double common = 0;
+        float common = 0;
         AddCommon(ref common, a.Weights.X, a.Joint0, b);
         AddCommon(ref common, a.Weights.Y, a.Joint1, b);
         AddCommon(ref common, a.Weights.Z, a.Joint2, b);
         AddCommon(ref common, a.Weights.W, a.Joint3, b);
-        return 1 - common;
+        return 1f - common;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void AddCommon(ref double common, float weight, int joint, in SkinWeights b)
+    private static void AddCommon(ref float common, float weight, int joint, in SkinWeights b)
     {
         if (weight > 0f)
         {

@@ -38,7 +38,7 @@ internal sealed class ReductionPieces
             return float.PositiveInfinity;
         }
 
-        return (float)cost.OfLoss(subject.Corners[3 * first[piece]], subject.Pieces.AreaOf(piece), subject.Pieces.DiagonalOf(piece));
+        return cost.OfLoss(subject.Corners[3 * first[piece]], (float)subject.Pieces.AreaOf(piece), subject.Pieces.DiagonalOf(piece));
     }
 
     /// <summary>Removes what is left of a piece and of its mirror image, and gives the number of triangles of the mesh that go.</summary>

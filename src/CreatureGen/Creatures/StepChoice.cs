@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using CreatureGen.Geometry;
 
@@ -9,66 +10,61 @@ namespace CreatureGen.Creatures;
 /// <param name="subject">What it is the surface of.</param>
 internal sealed class StepChoice(CollapsingMesh surface, ReductionCost cost, ReductionSubject subject)
 {
-    private readonly double[] costs = new double[64];
-    private readonly double[] shapes = new double[64];
+    private readonly float[] costs = new float[64];
+    private readonly float[] shapes = new float[64];
+    private readonly int[] offered = new int[64];
     private readonly List<int> ranked = new();
     private readonly List<int> vertices = new();
     private readonly List<(int From, int To)> pairs = new();
-
-    /// <summary>Whether one of the steps that <see cref="FindCheapest"/> looked at may tear the texture: then what they cost depends on vertices farther away, too, and holds only now.</summary>
-    public bool MayTear { get; private set; }
 
     /// <summary>The neighbours that <see cref="Rank"/> found, the cheapest first.</summary>
     public IReadOnlyList<int> Ranked => ranked;
 
     /// <summary>What it costs to pull the point onto one of <see cref="Ranked"/>.</summary>
-    public double CostOf(int rank) => costs[rank];
+    public float CostOf(int rank) => costs[rank];
 
     /// <summary>Finds the neighbour that <see cref="Rank"/> lists first, −1 when there is none. Four of six are ruled out by their shape alone, in a third of the time that weights, colours and texture take.</summary>
-    public int FindCheapest(int point, out double leastCost)
+    public int FindCheapest(int point, out float leastCost)
     {
-        ranked.Clear();
-        int first = -1;
+        int count = 0;
         foreach (int n in surface.Neighbours(point))
         {
-            if (KeepsSides(point, n) && ranked.Count < costs.Length)
+            if (KeepsSides(point, n) && count < offered.Length)
             {
-                double shape = cost.ShapeOf(point, n);
-                double min = cost.MinOf(point, n, shape);
-                first = first < 0 || min < costs[first] ? ranked.Count : first;
-                costs[ranked.Count] = min;
-                shapes[ranked.Count] = shape;
-                ranked.Add(n);
+                offered[count++] = n;
             }
         }
 
+        cost.Bound(point, offered.AsSpan(0, count), shapes, costs);
         int vertex = surface.OnlyVertexOf(point);
+        for (int i = 0; vertex < 0 && i < count; i++)
+        {
+            costs[i] += surface.Tears(point, offered[i]) ? cost.OfTear(point) : 0f;
+        }
+
+        int first = 0;
+        for (int i = 1; i < count; i++)
+        {
+            first = costs[i] < costs[first] ? i : first;
+        }
+
         int best = -1;
-        leastCost = double.PositiveInfinity;
-        MayTear = false;
-        for (int i = -1; i < ranked.Count; i++)
+        leastCost = float.PositiveInfinity;
+        for (int i = -1; i < count; i++)
         {
             // What costs least by its shape comes first, so that most others fall short of it.
             int at = i < 0 ? first : i;
-            if (at < 0 || i == first)
+            if (i == first || at >= count || costs[at] > leastCost)
             {
                 continue;
             }
 
-            int n = ranked[at];
+            int n = offered[at];
             int other = surface.OnlyVertexOf(n);
-            bool plain = vertex >= 0 && other >= 0;
-            if (costs[at] > leastCost)
+            float price = vertex >= 0 && other >= 0 ? cost.OfPlain(point, n, shapes[at], vertex, other) : InFull(point, n, shapes[at]);
+            if (price < leastCost || (price == leastCost && n < best))
             {
-                // It may tear.
-                MayTear |= !plain;
-                continue;
-            }
-
-            double offered = plain ? cost.OfPlain(point, n, shapes[at], vertex, other) : InFull(point, n, shapes[at]);
-            if (offered < leastCost || (offered == leastCost && n < best))
-            {
-                leastCost = offered;
+                leastCost = price;
                 best = n;
             }
         }
@@ -76,10 +72,9 @@ internal sealed class StepChoice(CollapsingMesh surface, ReductionCost cost, Red
         return best;
     }
 
-    private double InFull(int point, int n, double shape)
+    private float InFull(int point, int n, float shape)
     {
         bool torn = !Match(point, n, pairs);
-        MayTear |= torn;
         return cost.Of(point, n, shape, pairs, torn);
     }
 
@@ -98,7 +93,7 @@ internal sealed class StepChoice(CollapsingMesh surface, ReductionCost cost, Red
                 continue;
             }
 
-            double edgeCost = InFull(point, n, cost.ShapeOf(point, n));
+            float edgeCost = InFull(point, n, cost.ShapeOf(point, n));
             int at = ranked.Count;
             ranked.Add(n);
             while (at > 0 && (edgeCost < costs[at - 1] || (edgeCost == costs[at - 1] && n < ranked[at - 1])))

@@ -19,11 +19,7 @@ internal sealed class CollapsingMesh
     private readonly int[] vertices;
     private readonly bool[] gone;
 
-    // The corners of a point as a chain; those of triangles that are gone stay in it until it is pruned. Most chains have none and are not looked through.
-    private readonly int[] first;
-    private readonly int[] last;
-    private readonly int[] next;
-    private readonly bool[] unpruned;
+    private readonly PointCorners corners;
     private readonly int[] marks;
 
     // The drawn vertex of a point that has but one, as most have: then an edge between two of these says at once which takes the place of which. −1 for others.
@@ -31,13 +27,14 @@ internal sealed class CollapsingMesh
 
     // The points on the rim, where the surface ends at the plane that mirrors it.
     private readonly bool[] rim;
+
+    // The points around which the surface ends, at the rim or elsewhere.
+    private readonly bool[] open;
     private readonly int[] around;
     private int mark;
 
-    private readonly List<int> movedCorners = new();
     private readonly List<int> movedVertices = new();
-    private readonly List<int> lostTriangles = new();
-    private (int From, int To, int FirstOfFrom, int LastOfFrom, int FirstOfTo) step;
+    private (int From, int To) step;
     private readonly SavedArrays saved;
     private int savedTriangles;
 
@@ -56,24 +53,28 @@ internal sealed class CollapsingMesh
         this.vertices = vertices;
         Triangles = points.Length / 3;
         gone = new bool[Triangles];
-        first = new int[positions.Length];
-        last = new int[positions.Length];
-        next = new int[points.Length];
-        unpruned = new bool[positions.Length];
+        corners = new PointCorners(positions.Length, points);
         marks = new int[positions.Length];
         onlyVertex = new int[positions.Length];
         around = new int[positions.Length + 1];
-        Array.Fill(first, -1);
-        for (int c = points.Length - 1; c >= 0; c--)
+        open = new bool[positions.Length];
+        Array.Fill(onlyVertex, int.MaxValue);
+        for (int c = 0; c < points.Length; c++)
         {
             int p = points[c];
-            onlyVertex[p] = first[p] < 0 || onlyVertex[p] == vertices[c] ? vertices[c] : -1;
-            next[c] = first[p];
-            last[p] = first[p] < 0 ? c : last[p];
-            first[p] = c;
+            onlyVertex[p] = onlyVertex[p] == int.MaxValue || onlyVertex[p] == vertices[c] ? vertices[c] : -1;
+
+            // Where it does not end the points after this one are those before it.
+            marks[p] += points[Next(c)] - points[Previous(c)];
         }
 
-        saved = new SavedArrays(points, vertices, first, last, next, gone, unpruned);
+        for (int p = 0; p < marks.Length; p++)
+        {
+            open[p] = marks[p] != 0;
+            marks[p] = 0;
+        }
+
+        saved = new SavedArrays(points, vertices, gone);
     }
 
     /// <summary>Number of triangles left of those that were given.</summary>
@@ -84,6 +85,7 @@ internal sealed class CollapsingMesh
     {
         savedTriangles = Triangles;
         saved.Save();
+        corners.Save();
     }
 
     /// <summary>Puts the surface back to what it was when it was saved.</summary>
@@ -91,13 +93,14 @@ internal sealed class CollapsingMesh
     {
         Triangles = savedTriangles;
         saved.Restore();
+        corners.Restore();
     }
 
     /// <summary>Whether a triangle has vanished.</summary>
     public bool IsGone(int triangle) => gone[triangle];
 
     /// <summary>Whether a point is still a corner of triangles.</summary>
-    public bool IsUsed(int point) => first[point] >= 0;
+    public bool IsUsed(int point) => corners.CountOf(point) > 0;
 
     /// <summary>The drawn vertex of a point that has but one, −1 for others.</summary>
     public int OnlyVertexOf(int point) => onlyVertex[point];
@@ -105,22 +108,24 @@ internal sealed class CollapsingMesh
     /// <summary>The neighbours of a point, each once; valid until the next question.</summary>
     public ReadOnlySpan<int> Neighbours(int point)
     {
-        Prune(point);
-        mark++;
-        int count = 0;
-        for (int c = first[point]; c >= 0; c = next[c])
+        int found = 0;
+        foreach (int c in corners.Of(point))
         {
-            // What has been marked already is overwritten.
-            int a = points[Next(c)], b = points[Previous(c)];
-            around[count] = a;
-            count += marks[a] == mark ? 0 : 1;
-            marks[a] = mark;
-            around[count] = b;
-            count += marks[b] == mark ? 0 : 1;
-            marks[b] = mark;
+            around[found++] = points[Next(c)];
         }
 
-        return new ReadOnlySpan<int>(around, 0, count);
+        // Around a point within the surface each neighbour comes after it in one triangle; where the surface ends one of two does not.
+        if (open[point])
+        {
+            foreach (int c in corners.Of(point))
+            {
+                int b = points[Previous(c)];
+                around[found] = b;
+                found += around.AsSpan(0, found).IndexOf(b) < 0 ? 1 : 0;
+            }
+        }
+
+        return new ReadOnlySpan<int>(around, 0, found);
     }
 
     /// <summary>
@@ -133,21 +138,25 @@ internal sealed class CollapsingMesh
     public bool Match(int from, int to, List<(int From, int To)> pairs)
     {
         pairs.Clear();
-        if (onlyVertex[from] >= 0 && onlyVertex[to] >= 0)
+        if (onlyVertex[from] >= 0)
         {
-            pairs.Add((onlyVertex[from], onlyVertex[to]));
-            return true;
-        }
-
-        bool whole = true;
-        for (int c = first[from]; c >= 0; c = next[c])
-        {
-            if (gone[TriangleOf(c)])
+            int taker = onlyVertex[to];
+            bool whole = true;
+            for (int i = 0; i < corners.CountOf(from) && onlyVertex[to] < 0; i++)
             {
-                continue;
+                int other = Across(corners.Of(from)[i], to);
+                whole &= other < 0 || taker < 0 || other == taker;
+                taker = taker < 0 ? other : taker;
             }
 
-            int other = points[Next(c)] == to ? vertices[Next(c)] : points[Previous(c)] == to ? vertices[Previous(c)] : -1;
+            pairs.Add((onlyVertex[from], taker));
+            return whole;
+        }
+
+        bool all = true;
+        foreach (int c in corners.Of(from))
+        {
+            int other = Across(c, to);
             int at = 0;
             while (at < pairs.Count && pairs[at].From != vertices[c])
             {
@@ -164,28 +173,50 @@ internal sealed class CollapsingMesh
             }
             else
             {
-                whole &= other < 0 || other == pairs[at].To;
+                all &= other < 0 || other == pairs[at].To;
             }
         }
 
         foreach ((int _, int To) pair in pairs)
         {
-            whole &= pair.To >= 0;
+            all &= pair.To >= 0;
         }
 
-        return whole;
+        return all;
+    }
+
+    /// <summary>Whether the vertices of a point part, but not along the edge to a neighbour: pulled onto that one, some of them would leave their places in the texture.</summary>
+    public bool Tears(int from, int to)
+    {
+        if (onlyVertex[from] >= 0)
+        {
+            return false;
+        }
+
+        int found = -1;
+        foreach (int c in corners.Of(from))
+        {
+            if (points[Next(c)] == to || points[Previous(c)] == to)
+            {
+                if (found >= 0 && vertices[c] != found)
+                {
+                    return false;
+                }
+
+                found = vertices[c];
+            }
+        }
+
+        return true;
     }
 
     /// <summary>The drawn vertices of a point, in the order of its corners, some of them several times.</summary>
     public void VerticesOf(int point, List<int> found)
     {
         found.Clear();
-        for (int c = first[point]; c >= 0; c = next[c])
+        foreach (int c in corners.Of(point))
         {
-            if (!gone[TriangleOf(c)])
-            {
-                found.Add(vertices[c]);
-            }
+            found.Add(vertices[c]);
         }
     }
 
@@ -198,30 +229,31 @@ internal sealed class CollapsingMesh
     /// <param name="pairs">For each vertex of <paramref name="from"/> the vertex of <paramref name="to"/> that takes its place.</param>
     public void Collapse(int from, int to, List<(int From, int To)> pairs)
     {
-        movedCorners.Clear();
         movedVertices.Clear();
-        lostTriangles.Clear();
-        step = (from, to, first[from], last[from], first[to]);
-        for (int c = first[from]; c >= 0; c = next[c])
+        step = (from, to);
+        Span<int> room = corners.RoomFor(from, to);
+        int kept = 0;
+        foreach (int c in corners.Of(to))
         {
-            int t = TriangleOf(c);
-            if (gone[t])
-            {
-                continue;
-            }
+            room[kept] = c;
+            kept += points[Next(c)] == from || points[Previous(c)] == from ? 0 : 1;
+        }
 
+        foreach (int c in corners.Of(from))
+        {
             int a = points[Next(c)];
             int b = points[Previous(c)];
+            movedVertices.Add(vertices[c]);
             if (a == to || b == to)
             {
+                int t = TriangleOf(c);
                 gone[t] = true;
-                unpruned[a == to ? b : a] = true;
-                lostTriangles.Add(t);
+                Triangles--;
+                corners.Drop(t, a == to ? b : a);
                 continue;
             }
 
-            movedCorners.Add(c);
-            movedVertices.Add(vertices[c]);
+            room[kept++] = c;
             points[c] = to;
             foreach ((int From, int To) pair in pairs)
             {
@@ -233,31 +265,29 @@ internal sealed class CollapsingMesh
             }
         }
 
-        unpruned[to] = true;
-        Triangles -= lostTriangles.Count;
-        next[last[from]] = first[to];
-        first[to] = first[from];
-        first[from] = -1;
+        open[to] |= open[from];
+        corners.Replace(to, kept, from);
     }
 
-    /// <summary>Takes back the last collapse. No chain may have been pruned since.</summary>
+    /// <summary>Takes back the last collapse.</summary>
     public void Undo()
     {
-        first[step.From] = step.FirstOfFrom;
-        next[step.LastOfFrom] = -1;
-        first[step.To] = step.FirstOfTo;
-        for (int i = 0; i < movedCorners.Count; i++)
+        corners.Undo();
+        ReadOnlySpan<int> ring = corners.Of(step.From);
+        for (int i = 0; i < ring.Length; i++)
         {
-            points[movedCorners[i]] = step.From;
-            vertices[movedCorners[i]] = movedVertices[i];
+            int c = ring[i];
+            points[c] = step.From;
+            vertices[c] = movedVertices[i];
+            int t = TriangleOf(c);
+            if (gone[t])
+            {
+                // What was dropped still lies behind the others.
+                gone[t] = false;
+                Triangles++;
+                corners.TakeBack(points[Next(c)] == step.To ? points[Previous(c)] : points[Next(c)]);
+            }
         }
-
-        foreach (int t in lostTriangles)
-        {
-            gone[t] = false;
-        }
-
-        Triangles += lostTriangles.Count;
     }
 
     /// <summary>Removes a triangle together with the others of its piece, one by one.</summary>
@@ -265,62 +295,26 @@ internal sealed class CollapsingMesh
     {
         for (int c = 3 * triangle; c < (3 * triangle) + 3; c++)
         {
-            first[points[c]] = -1;
+            corners.Clear(points[c]);
         }
 
         gone[triangle] = true;
         Triangles--;
     }
 
-    /// <summary>Forgets the corners of triangles that are gone.</summary>
-    public void Prune(int point)
-    {
-        if (!unpruned[point])
-        {
-            return;
-        }
-
-        unpruned[point] = false;
-        int kept = -1;
-        int c = first[point];
-        first[point] = -1;
-        while (c >= 0)
-        {
-            int following = next[c];
-            if (!gone[TriangleOf(c)])
-            {
-                if (kept < 0)
-                {
-                    first[point] = c;
-                }
-                else
-                {
-                    next[kept] = c;
-                }
-
-                next[c] = -1;
-                kept = c;
-            }
-
-            c = following;
-        }
-
-        last[point] = kept;
-    }
+    /// <summary>The drawn vertex that a triangle has at a point, −1 when it has none there.</summary>
+    /// <param name="corner">One of its other corners.</param>
+    /// <param name="point">The point.</param>
+    private int Across(int corner, int point) => points[Next(corner)] == point ? vertices[Next(corner)] : points[Previous(corner)] == point ? vertices[Previous(corner)] : -1;
 
     /// <summary>The two ends of an edge have no neighbours in common but the two across it, of which the second may be a mirror image, and those two are no triangle with both.</summary>
     private bool LinkHolds(int from, int to)
     {
         int sides = rim[from] ? 1 : 2;
-        mark += 2;
+        mark++;
         int across = -1, alsoAcross = -1, faces = 0;
-        for (int c = first[from]; c >= 0; c = next[c])
+        foreach (int c in corners.Of(from))
         {
-            if (gone[TriangleOf(c)])
-            {
-                continue;
-            }
-
             int a = points[Next(c)];
             int b = points[Previous(c)];
             marks[a] = mark;
@@ -339,41 +333,21 @@ internal sealed class CollapsingMesh
         }
 
         int common = 0;
-        bool bridged = false;
-        for (int c = first[to]; c >= 0; c = next[c])
+        foreach (int n in Neighbours(to))
         {
-            if (gone[TriangleOf(c)])
-            {
-                continue;
-            }
-
-            int a = points[Next(c)];
-            int b = points[Previous(c)];
-            common += Count(a) + Count(b);
-            bridged |= (a == across && b == alsoAcross) || (b == across && a == alsoAcross);
+            common += marks[n] == mark ? 1 : 0;
         }
 
-        return common == sides && !(bridged && IsTriangle(from, across, alsoAcross));
-
-        int Count(int neighbour)
-        {
-            if (marks[neighbour] != mark)
-            {
-                return 0;
-            }
-
-            marks[neighbour] = mark - 1;
-            return 1;
-        }
+        return common == sides && !(corners.CountOf(from) == 3 && sides == 2 && IsTriangle(to, across, alsoAcross));
     }
 
     /// <summary>Whether a point and its mirror image, pulled onto the rim from both sides, would meet along an edge or in a triangle there.</summary>
     private bool Pinches(int from, int to, int across, int alsoAcross)
     {
-        for (int c = first[from]; c >= 0; c = next[c])
+        foreach (int c in corners.Of(from))
         {
             int a = points[Next(c)];
-            if (!gone[TriangleOf(c)] && rim[a] && a != to && ((a != across && a != alsoAcross) || rim[points[Previous(c)]] && points[Previous(c)] != to))
+            if (rim[a] && a != to && ((a != across && a != alsoAcross) || rim[points[Previous(c)]] && points[Previous(c)] != to))
             {
                 return true;
             }
@@ -384,11 +358,11 @@ internal sealed class CollapsingMesh
 
     private bool IsTriangle(int point, int a, int b)
     {
-        for (int c = first[point]; c >= 0; c = next[c])
+        foreach (int c in corners.Of(point))
         {
             int x = points[Next(c)];
             int y = points[Previous(c)];
-            if (!gone[TriangleOf(c)] && ((x == a && y == b) || (x == b && y == a)))
+            if (((x == a && y == b) || (x == b && y == a)))
             {
                 return true;
             }
@@ -399,11 +373,11 @@ internal sealed class CollapsingMesh
 
     private bool Folds(int from, int to)
     {
-        for (int c = first[from]; c >= 0; c = next[c])
+        foreach (int c in corners.Of(from))
         {
             int i = points[Next(c)];
             int j = points[Previous(c)];
-            if (gone[TriangleOf(c)] || i == to || j == to)
+            if (i == to || j == to)
             {
                 continue;
             }

@@ -24,13 +24,19 @@ internal static class CornerPull
     {
         Vector3 old = Vec.Cross(a - before, b - before);
         Vector3 turned = Vec.Cross(a - after, b - after);
-        double oldLength = Vec.Length(old);
-        double newLength = Vec.Length(turned);
-        double shape = Math.Min(MinShape, 0.9 * oldLength / Longest(before, a, b));
+        double oldSquare = Vec.LengthSquared(old);
+        double square = Vec.LengthSquared(turned);
+
+        // Squares of lengths say the same as lengths and cost no roots.
+        double longest = Longest(after, a, b);
+        double longestSquare = longest * longest;
+        double oldLongest = Longest(before, a, b);
+        bool isSliver = !(square > MinShape * MinShape * longestSquare) && !(square * oldLongest * oldLongest > 0.81 * oldSquare * longestSquare);
         bool turnsAway = Vec.Dot(turned, facingAfter) <= 0f && Vec.Dot(old, facingBefore) > 0f;
-        return turnsAway || !(newLength > shape * Longest(after, a, b)) || !(Vec.Dot(old, turned) > MinTurn * oldLength * newLength);
+        double turn = Vec.Dot(old, turned);
+        return turnsAway || isSliver || !(turn > 0 && turn * turn > MinTurn * MinTurn * oldSquare * square);
     }
 
-    private static double Longest(Vector3 a, Vector3 b, Vector3 c) =>
+    private static float Longest(Vector3 a, Vector3 b, Vector3 c) =>
         Math.Max(Vec.LengthSquared(a - b), Math.Max(Vec.LengthSquared(b - c), Vec.LengthSquared(c - a)));
 }

@@ -18,6 +18,9 @@ internal sealed class CrossingSearch : IDisposable
     private readonly int[] left;
     private readonly bool[] touched;
     private readonly List<(int First, int Second)> pairs = new();
+    private readonly int[] finest;
+    private readonly bool[] inherited;
+    private bool knowsFinest;
 
     /// <summary>Takes the surface.</summary>
     /// <param name="positions">Place of each point.</param>
@@ -37,6 +40,8 @@ internal sealed class CrossingSearch : IDisposable
         spare = null;
         left = new int[corners.Length];
         touched = new bool[positions.Length];
+        inherited = new bool[positions.Length];
+        finest = (int[])corners.Clone();
     }
 
     /// <summary>Searches what is left, and tells the pairs of triangles of one piece.</summary>
@@ -54,24 +59,49 @@ internal sealed class CrossingSearch : IDisposable
             }
         }
 
+        if (workspace.Find(positions, left.AsSpan(0, count), pairs, pieceOf) > 0 && !knowsFinest)
+        {
+            knowsFinest = true;
+            workspace.Find(positions, finest, pairs, pieceOf);
+            Touch(finest);
+            Inherit();
+            workspace.Find(positions, left.AsSpan(0, count), pairs, pieceOf);
+        }
+
+        return Touch(left);
+    }
+
+    /// <summary>Takes what was found for given: it does not count from now on.</summary>
+    public void Inherit()
+    {
+        for (int p = 0; p < touched.Length; p++)
+        {
+            inherited[p] |= touched[p];
+        }
+    }
+
+    private int Touch(int[] triangles)
+    {
         Array.Clear(touched, 0, touched.Length);
-        SelfIntersection.Find(positions, left.AsSpan(0, count), pairs, workspace);
         int found = 0;
         foreach ((int first, int second) in pairs)
         {
-            if (pieceOf[left[3 * first]] == pieceOf[left[3 * second]])
+            ReadOnlySpan<int> a = triangles.AsSpan(3 * first, 3), b = triangles.AsSpan(3 * second, 3);
+            if (!IsInherited(a) && !IsInherited(b))
             {
                 found++;
                 for (int c = 0; c < 3; c++)
                 {
-                    touched[left[(3 * first) + c]] = true;
-                    touched[left[(3 * second) + c]] = true;
+                    touched[a[c]] = true;
+                    touched[b[c]] = true;
                 }
             }
         }
 
         return found;
     }
+
+    private bool IsInherited(ReadOnlySpan<int> triangle) => inherited[triangle[0]] || inherited[triangle[1]] || inherited[triangle[2]];
 
     /// <summary>Whether a point is a corner of one of the triangles that were found.</summary>
     public bool Touches(int point) => touched[point];

@@ -13,6 +13,7 @@ internal sealed class MirroredHalf
     private readonly int[] twin;
     private readonly sbyte[] side;
     private readonly int[] pieceOf;
+    private readonly sbyte[] sideOf;
 
     /// <summary>Finds it.</summary>
     /// <param name="pointOf">The point of each drawn vertex.</param>
@@ -36,13 +37,19 @@ internal sealed class MirroredHalf
             IsHalved[p] = true;
         }
 
+        sideOf = new sbyte[corners.Length / 3];
+        for (int t = 0; t < sideOf.Length; t++)
+        {
+            sideOf[t] = FindSide(t);
+        }
+
         PairTriangles(vertices);
         int count = 0;
         int[] kept = new int[corners.Length / 3];
         for (int t = 0; t < kept.Length; t++)
         {
             kept[count] = t;
-            count += IsHalved[pieceOf[corners[3 * t]]] && SideOf(t) < 0 ? 0 : 1;
+            count += IsHalved[pieceOf[corners[3 * t]]] && sideOf[t] < 0 ? 0 : 1;
         }
 
         Triangles = kept[..count];
@@ -62,11 +69,11 @@ internal sealed class MirroredHalf
     public int[] Triangles { get; }
 
     /// <summary>1 left, −1 right, 0 when it reaches across the plane or lies in it.</summary>
-    private int SideOf(int t)
+    private sbyte FindSide(int t)
     {
         int a = side[corners[3 * t]], b = side[corners[(3 * t) + 1]], c = side[corners[(3 * t) + 2]];
         int low = Math.Min(a, Math.Min(b, c)), high = Math.Max(a, Math.Max(b, c));
-        return low * high < 0 ? 0 : low + high;
+        return (sbyte)(low * high < 0 ? 0 : low + high);
     }
 
     private void PairTriangles(ReadOnlySpan<int> vertices)
@@ -76,11 +83,11 @@ internal sealed class MirroredHalf
         int[] balance = new int[twin.Length];
         for (int t = 0; t < corners.Length / 3; t++)
         {
-            int sideOf = SideOf(t);
+            int facing = sideOf[t];
             int piece = LeftOf(pieceOf[corners[3 * t]]);
-            balance[piece] += sideOf;
-            IsHalved[piece] &= sideOf != 0;
-            if (sideOf < 0)
+            balance[piece] += facing;
+            IsHalved[piece] &= facing != 0;
+            if (facing < 0)
             {
                 start[Least(corners[3 * t], corners[(3 * t) + 1], corners[(3 * t) + 2]) + 1]++;
             }
@@ -95,7 +102,7 @@ internal sealed class MirroredHalf
         int[] right = new int[start[^1]];
         for (int t = 0; t < corners.Length / 3; t++)
         {
-            if (SideOf(t) < 0)
+            if (sideOf[t] < 0)
             {
                 right[filled[Least(corners[3 * t], corners[(3 * t) + 1], corners[(3 * t) + 2])]++] = t;
             }
@@ -106,7 +113,7 @@ internal sealed class MirroredHalf
         for (int t = 0; t < corners.Length / 3; t++)
         {
             int piece = LeftOf(pieceOf[corners[3 * t]]);
-            if (SideOf(t) > 0 && IsHalved[piece])
+            if (sideOf[t] > 0 && IsHalved[piece])
             {
                 IsHalved[piece] = balance[piece] == 0 && TryPair(t, vertices, right, start, imageOf);
             }

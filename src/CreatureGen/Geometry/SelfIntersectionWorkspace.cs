@@ -17,16 +17,26 @@ internal sealed class SelfIntersectionWorkspace
     // Bounds of the length of a normal from the sum of its components' magnitudes: 1/√3 of it and all of it, with a margin for rounding.
     private const double ShortestNormal = 0.577;
     private const double LongestNormal = 1.001;
+    private const int PlaneSize = 5;
 
     private readonly TriangleTree tree = new();
     private readonly ulong[]?[] pairsOfLevel = new ulong[]?[TriangleTree.MaxLevels];
     private ulong[] found = new ulong[64];
     private int foundCount;
 
+    // The plane of each triangle in the tree: normal as long as twice the area, product of it with a corner, and the sum of its components' magnitudes; worked out when the first pair of a search needs one.
+    private double[] planes = Array.Empty<double>();
+    private bool hasPlanes;
+
+    // The piece of each vertex where pairs of different pieces do not count.
+    private int[]? pieces;
+
     /// <summary>Finds all crossing pairs; see <see cref="SelfIntersection"/>. The indices are in range.</summary>
-    internal int Find(ReadOnlySpan<Vector3> positions, ReadOnlySpan<int> triangles, List<(int First, int Second)> pairs)
+    internal int Find(ReadOnlySpan<Vector3> positions, ReadOnlySpan<int> triangles, List<(int First, int Second)> pairs, int[]? pieceOf = null)
     {
+        pieces = pieceOf;
         foundCount = 0;
+        hasPlanes = false;
         tree.Build(positions, triangles);
         for (int level = tree.Levels - 1; level >= 0; level--)
         {
@@ -77,7 +87,7 @@ internal sealed class SelfIntersectionWorkspace
         ulong[] pairs = PairsOf(level);
         if (level == 0)
         {
-            Test(positions, pairs, KeepUnconnected(pairs, count));
+            Test(positions, pairs, KeepOfOnePiece(pairs, KeepUnconnected(pairs, count)));
             return;
         }
 
@@ -158,8 +168,33 @@ internal sealed class SelfIntersectionWorkspace
         return kept;
     }
 
+    /// <summary>Keeps the pairs of triangles of one piece, where that is asked for.</summary>
+    private int KeepOfOnePiece(ulong[] pairs, int count)
+    {
+        if (pieces is null)
+        {
+            return count;
+        }
+
+        ReadOnlySpan<int> corners = tree.Corners;
+        int kept = 0;
+        for (int p = 0; p < count; p++)
+        {
+            ulong pair = pairs[p];
+            pairs[kept] = pair;
+            kept += pieces[corners[3 * First(pair)]] == pieces[corners[3 * Second(pair)]] ? 1 : 0;
+        }
+
+        return kept;
+    }
+
     private void Test(ReadOnlySpan<Vector3> positions, ulong[] pairs, int count)
     {
+        if (count > 0 && !hasPlanes)
+        {
+            FindPlanes(positions);
+        }
+
         double tolerance = Tolerance.CrossingLengthPerDiagonal * tree.Diagonal;
         ReadOnlySpan<float> coordinates = MemoryMarshal.Cast<Vector3, float>(positions);
         ReadOnlySpan<int> corners = tree.Corners;
@@ -168,14 +203,14 @@ internal sealed class SelfIntersectionWorkspace
         {
             ulong pair = pairs[p];
             pairs[kept] = pair;
-            kept += MayStraddle(coordinates, corners.Slice(3 * First(pair), 3), corners.Slice(3 * Second(pair), 3), tolerance);
+            kept += MayStraddle(coordinates, planes.AsSpan(PlaneSize * First(pair), PlaneSize), corners.Slice(3 * Second(pair), 3), tolerance);
         }
 
         for (int p = 0; p < kept; p++)
         {
             ReadOnlySpan<int> s = corners.Slice(3 * First(pairs[p]), 3);
             ReadOnlySpan<int> t = corners.Slice(3 * Second(pairs[p]), 3);
-            if (MayStraddle(coordinates, t, s, tolerance) == 1
+            if (MayStraddle(coordinates, planes.AsSpan(PlaneSize * Second(pairs[p]), PlaneSize), s, tolerance) == 1
                 && TriangleCrossing.Cross(positions[s[0]], positions[s[1]], positions[s[2]], positions[t[0]], positions[t[1]], positions[t[2]], tolerance))
             {
                 Add(tree.Order[First(pairs[p])], tree.Order[Second(pairs[p])]);
@@ -183,26 +218,45 @@ internal sealed class SelfIntersectionWorkspace
         }
     }
 
+    private void FindPlanes(ReadOnlySpan<Vector3> positions)
+    {
+        hasPlanes = true;
+        ReadOnlySpan<int> corners = tree.Corners;
+        if (planes.Length < PlaneSize * tree.Count)
+        {
+            planes = new double[PlaneSize * tree.Count];
+        }
+
+        for (int s = 0; s < tree.Count; s++)
+        {
+            Vector3 a = positions[corners[3 * s]], b = positions[corners[(3 * s) + 1]], c = positions[corners[(3 * s) + 2]];
+            double ax = a.X, ay = a.Y, az = a.Z;
+            double ux = b.X - ax, uy = b.Y - ay, uz = b.Z - az;
+            double vx = c.X - ax, vy = c.Y - ay, vz = c.Z - az;
+            double nx = (uy * vz) - (uz * vy), ny = (uz * vx) - (ux * vz), nz = (ux * vy) - (uy * vx);
+            Span<double> plane = planes.AsSpan(PlaneSize * s, PlaneSize);
+            plane[0] = nx;
+            plane[1] = ny;
+            plane[2] = nz;
+            plane[3] = (ax * nx) + (ay * ny) + (az * nz);
+            plane[4] = Math.Abs(nx) + Math.Abs(ny) + Math.Abs(nz);
+        }
+    }
+
     /// <summary>
-    /// Zero when all corners of the other triangle are certainly on one side of the plane of the first, as <see cref="TriangleCrossing"/> sees it, otherwise one.
+    /// Zero when all corners of a triangle are certainly on one side of a plane, as <see cref="TriangleCrossing"/> sees it, otherwise one.
     /// Does without the normal's length, whose root and quotients cost most of that test.
     /// </summary>
-    private static int MayStraddle(ReadOnlySpan<float> coordinates, ReadOnlySpan<int> first, ReadOnlySpan<int> other, double tolerance)
+    private static int MayStraddle(ReadOnlySpan<float> coordinates, ReadOnlySpan<double> plane, ReadOnlySpan<int> triangle, double tolerance)
     {
-        ReadOnlySpan<float> a = coordinates.Slice(3 * first[0], 3);
-        ReadOnlySpan<float> b = coordinates.Slice(3 * first[1], 3);
-        ReadOnlySpan<float> c = coordinates.Slice(3 * first[2], 3);
-        ReadOnlySpan<float> p = coordinates.Slice(3 * other[0], 3);
-        ReadOnlySpan<float> q = coordinates.Slice(3 * other[1], 3);
-        ReadOnlySpan<float> r = coordinates.Slice(3 * other[2], 3);
-        double ax = a[0], ay = a[1], az = a[2];
-        double ux = b[0] - ax, uy = b[1] - ay, uz = b[2] - az;
-        double vx = c[0] - ax, vy = c[1] - ay, vz = c[2] - az;
-        double nx = (uy * vz) - (uz * vy), ny = (uz * vx) - (ux * vz), nz = (ux * vy) - (uy * vx);
-        double dp = ((p[0] - ax) * nx) + ((p[1] - ay) * ny) + ((p[2] - az) * nz);
-        double dq = ((q[0] - ax) * nx) + ((q[1] - ay) * ny) + ((q[2] - az) * nz);
-        double dr = ((r[0] - ax) * nx) + ((r[1] - ay) * ny) + ((r[2] - az) * nz);
-        double margin = tolerance * (Math.Abs(nx) + Math.Abs(ny) + Math.Abs(nz));
+        ReadOnlySpan<float> p = coordinates.Slice(3 * triangle[0], 3);
+        ReadOnlySpan<float> q = coordinates.Slice(3 * triangle[1], 3);
+        ReadOnlySpan<float> r = coordinates.Slice(3 * triangle[2], 3);
+        double nx = plane[0], ny = plane[1], nz = plane[2], start = plane[3];
+        double dp = (p[0] * nx) + (p[1] * ny) + (p[2] * nz) - start;
+        double dq = (q[0] * nx) + (q[1] * ny) + (q[2] * nz) - start;
+        double dr = (r[0] * nx) + (r[1] * ny) + (r[2] * nz) - start;
+        double margin = tolerance * plane[4];
         double front = -ShortestNormal * margin;
         double behind = -LongestNormal * margin;
         return ((dp >= front) & (dq >= front) & (dr >= front)) | ((dp < behind) & (dq < behind) & (dr < behind)) ? 0 : 1;

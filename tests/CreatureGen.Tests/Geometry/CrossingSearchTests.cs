@@ -25,20 +25,39 @@ public sealed class CrossingSearchTests
     [Fact]
     public void Triangles_that_have_gone_do_not_count()
     {
-        int[] corners = [0, 1, 2, 3, 4, 5];
-        var surface = new CollapsingMesh(positions, new Vector3[7], corners, (int[])corners.Clone());
-        using var search = new CrossingSearch(positions, corners, new int[7], PointBounds.Of(positions));
+        (CollapsingMesh surface, CrossingSearch search) = Pulled([0, 1, 2, 3, 4, 5], new int[7]);
         Assert.Equal(1, search.Find(surface));
         surface.Remove(1);
         Assert.Equal(0, search.Find(surface));
         Assert.False(search.Touches(0));
     }
 
+    [Fact]
+    public void What_the_finest_surface_crossed_already_and_what_was_taken_for_given_do_not_count()
+    {
+        int[] corners = [0, 1, 2, 3, 4, 5];
+        var surface = new CollapsingMesh(positions, new Vector3[7], corners, (int[])corners.Clone());
+        Assert.Equal(0, new CrossingSearch(positions, corners, new int[7], PointBounds.Of(positions)).Find(surface));
+        (CollapsingMesh pulled, CrossingSearch search) = Pulled([0, 1, 2, 3, 4, 5], new int[7]);
+        Assert.Equal(1, search.Find(pulled));
+        search.Inherit();
+        Assert.Equal(0, search.Find(pulled));
+    }
+
     private static int[] Touched(int[] corners, int[] pieces)
     {
-        var surface = new CollapsingMesh(positions, new Vector3[7], corners, (int[])corners.Clone());
-        using var search = new CrossingSearch(positions, corners, pieces, PointBounds.Of(positions));
+        (CollapsingMesh surface, CrossingSearch search) = Pulled(corners, pieces);
         search.Find(surface);
         return Enumerable.Range(0, 7).Where(search.Touches).ToArray();
+    }
+
+    /// <summary>Two triangles, the second of which was out of the way of the first at the beginning: one of its corners was at the last of the positions.</summary>
+    private static (CollapsingMesh Surface, CrossingSearch Search) Pulled(int[] corners, int[] pieces)
+    {
+        int[] pulled = (int[])corners.Clone();
+        pulled[3] = 6;
+        var search = new CrossingSearch(positions, pulled, pieces, PointBounds.Of(positions));
+        corners.CopyTo(pulled, 0);
+        return (new CollapsingMesh(positions, new Vector3[7], pulled, (int[])corners.Clone()), search);
     }
 }
