@@ -42,7 +42,7 @@ internal static class LandingRange
         return bounded == place ? wanted : way + Rotation.Rotate(AxisRotation.Yaw(yaw), bounded);
     }
 
-    /// <summary>How far from a place on the ground a leg below its body would end whose hip does not turn as far as that asks, metres: up steps a thigh comes to its end before the leg is folded.</summary>
+    /// <summary>How far from a place on the ground a leg below its body would end whose hip does not turn as far as that asks, or that does not fold so far, metres: up steps a thigh comes to its end.</summary>
     /// <param name="body">Whose foot it is.</param>
     /// <param name="leg">Its leg.</param>
     /// <param name="posed">The leg as it was last posed.</param>
@@ -53,7 +53,7 @@ internal static class LandingRange
     {
         Vector3 way = velocity.Predict(seconds, out float yaw);
         Vector3 chord = leg.Parts.Upper + leg.Shank - leg.Home - (posed.Hip - leg.HipRest) + Rotation.Rotate(AxisRotation.Yaw(-yaw), place - way);
-        return Vec.Distance(HipRoom.Nearest(body, leg, posed.Carrier, chord), chord);
+        return Vec.Distance(HipRoom.Nearest(body, leg, posed.Carrier, chord), chord) + Math.Max(leg.FoldedReach - Vec.Length(chord), 0f);
     }
 
     /// <summary>Draws a place in that is too far from the hip.</summary>
