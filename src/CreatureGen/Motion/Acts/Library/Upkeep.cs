@@ -101,15 +101,21 @@ internal static class Upkeep
             new ActPhase("stand", 2f).To(Aside, 0f).To(HindDown, 0f).To(BackSide, 0f).To(NeckSide, 0f))
             .Needing(ActNeeds.FourLegs).For(BodyBuild.Pawed).OnTheSpot(),
         new Act("Groom", ActKind.Upkeep,
+            new ActPhase("raise", 2f).To(ArmsAhead, 1.5f).To(ArmsOut, -0.35f).To(ArmsBend, 1.5f).To(BackPitch, -0.15f).To(NeckPitch, -1f).To(HeadPitch, -0.6f).To(ForeDown, 0.08f),
+            new ActPhase("rub", 8f).To(Lids, 0.8f).With(new ActWave(ArmsAhead, 0.18f, 7f)).With(new ActWave(ArmsBend, 0.25f, 7f, 0.2f)).With(new ActWave(NeckSide, 0.2f, 2f)).With(new ActWave(HeadSide, 0.25f, 2f)).With(new ActWave(HeadRoll, 0.25f, 2f, 0.15f)).With(new ActWave(HeadPitch, 0.12f, 7f)),
+            new ActPhase("one cheek", 5f).To(ArmAhead, 0.35f).To(ArmOut, -0.15f).To(HeadRoll, 0.4f).To(HeadSide, 0.3f).With(new ActWave(ArmBend, 0.3f, 7f)).With(new ActWave(ArmAhead, 0.15f, 7f, 0.2f)),
+            new ActPhase("lower", 2f).To(ArmsAhead, 0f).To(ArmsOut, 0f).To(ArmsBend, 0f).To(ArmAhead, 0f).To(ArmOut, 0f).To(BackPitch, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(HeadRoll, 0f).To(HeadSide, 0f).To(Lids, 0f).To(ForeDown, 0f))
+            .Needing(ActNeeds.Head | ActNeeds.Arms | ActNeeds.FourLegs).For(BodyBuild.Pawed | BodyBuild.Hoofed | BodyBuild.Columnar),
+        new Act("Groom", ActKind.Upkeep,
             new ActPhase("raise", 2f).To(ArmsAhead, 1f).To(ArmsOut, -0.2f).To(ArmsBend, 1.9f).To(NeckPitch, -0.4f).To(HeadPitch, -0.3f).To(ForeDown, 0.05f),
             new ActPhase("rub", 8f).To(Lids, 0.8f).With(new ActWave(ArmsAhead, 0.18f, 7f)).With(new ActWave(ArmsBend, 0.25f, 7f, 0.2f)).With(new ActWave(HeadSide, 0.22f, 2f)).With(new ActWave(HeadRoll, 0.18f, 2f, 0.15f)).With(new ActWave(HeadPitch, 0.08f, 7f)),
             new ActPhase("behind an ear", 5f).To(ArmAhead, 0.35f).To(ArmOut, 0.35f).To(HeadRoll, 0.3f).To(HeadSide, 0.2f).With(new ActWave(ArmBend, 0.3f, 7f)).With(new ActWave(ArmAhead, 0.1f, 7f, 0.2f)),
             new ActPhase("lower", 2f).To(ArmsAhead, 0f).To(ArmsOut, 0f).To(ArmsBend, 0f).To(ArmAhead, 0f).To(ArmOut, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(HeadRoll, 0f).To(HeadSide, 0f).To(Lids, 0f).To(ForeDown, 0f))
             .Needing(ActNeeds.Head | ActNeeds.Arms).For(BodyBuild.Standing),
         new Act("Groom", ActKind.Upkeep,
-            new ActPhase("raise", 1.6f).To(Ahead, -0.06f).To(NeckPitch, -0.25f).To(HeadPitch, -0.3f).To(ForeFeetUp, 0.26f).To(ForeFeetAhead, 0.12f).To(ForeFeetOut, -0.22f),
-            new ActPhase("rub", 8f).With(new ActWave(ForeFootAhead, 0.08f, 7f)).With(new ActWave(ForeFeetUp, 0.05f, 3.5f)).With(new ActWave(HeadSide, 0.1f, 2f)),
-            new ActPhase("lower", 1.4f).To(ForeFeetUp, 0f).To(ForeFeetAhead, 0f).To(ForeFeetOut, 0f),
+            new ActPhase("raise", 1.6f).To(Ahead, -0.06f).To(NeckPitch, -0.25f).To(HeadPitch, -0.3f).To(ForeFeetUp, 0.26f).To(ForeFeetAhead, 0.12f).To(ForeFeetOut, -0.22f).To(Ears, 0.4f),
+            new ActPhase("rub", 8f).With(new ActWave(ForeFootAhead, 0.08f, 7f)).With(new ActWave(ForeFeetUp, 0.05f, 3.5f)).With(new ActWave(NeckSide, 0.3f, 2f)).With(new ActWave(HeadSide, 0.3f, 2f, 0.1f)).With(new ActWave(HeadRoll, 0.25f, 2f, 0.2f)).With(new ActWave(HeadPitch, 0.1f, 4f)).With(new ActWave(Ears, 0.35f, 4f)),
+            new ActPhase("lower", 1.4f).To(ForeFeetUp, 0f).To(ForeFeetAhead, 0f).To(ForeFeetOut, 0f).To(Ears, 0f),
             new ActPhase("recover", 1.2f).To(Ahead, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f))
             .Needing(ActNeeds.FourLegs).For(BodyBuild.ManyLegged).OnTheSpot(),
         new Act("Groom", ActKind.Upkeep,
