@@ -94,15 +94,8 @@ internal static class Postures
             new ActPhase("lift", 1.8f).To(ForeDown, 0.5f).To(HindDown, 0.5f).To(ForeFold, 0.4f).To(HindFold, 0.4f).To(NeckSide, 0f).To(HeadSide, 0f).To(TailSide, 0f),
             new ActPhase("rise", 2.2f).To(ForeDown, 0f).To(HindDown, 0f).To(ForeFold, 0f).To(HindFold, 0f).To(NeckPitch, 0f).To(Lids, 0f).To(Jaw, 0f).To(Ears, 0f).To(TailPitch, 0f).To(ArmsOut, 0f))
             .Needing(ActNeeds.FourLegs).For(BodyBuild.Sprawling | BodyBuild.ManyLegged).OnTheSpot(),
-        new Act("Die", ActKind.Posture,
-            new ActPhase("reel", 1.6f).To(Aside, 0.06f).To(Roll, -0.06f).To(NeckPitch, 0.3f).To(NeckSide, -0.3f).To(Lids, 0.5f).To(Jaw, 0.4f).To(Ears, 0.8f),
-            new ActPhase("buckle", 1.2f, ActEase.In).To(ForeDown, 0.62f).To(HindDown, 0.45f).To(ForeFold, 0.6f).To(HindFold, 0.4f).To(Aside, 0f).To(NeckPitch, -0.1f),
-            new ActPhase("drop", 1.4f, ActEase.In).To(ForeDown, 0.97f).To(HindDown, 0.97f).To(ForeFold, 1f).To(HindFold, 1f).To(NeckPitch, -0.6f).To(Roll, 0f),
-            new ActPhase("settle", 1.6f, ActEase.Out).To(NeckPitch, -0.9f).To(NeckSide, 0.5f).To(HeadRoll, 0.25f).To(HeadSide, 0.2f).To(Lids, 0.8f).To(Jaw, 0.3f).To(TailSide, 0.4f).To(TailPitch, -0.3f).To(ArmsOut, 0.3f),
-            new ActPhase("still", 5f).Lasting(),
-            new ActPhase("lift", 2.4f).To(ForeDown, 0.5f).To(HindDown, 0.5f).To(ForeFold, 0.4f).To(HindFold, 0.4f).To(NeckPitch, -0.4f),
-            new ActPhase("rise", 2.6f).To(ForeDown, 0f).To(HindDown, 0f).To(ForeFold, 0f).To(HindFold, 0f).To(NeckPitch, 0f).To(NeckSide, 0f).To(HeadRoll, 0f).To(HeadSide, 0f).To(Lids, 0f).To(Jaw, 0f).To(Ears, 0f).To(TailSide, 0f).To(TailPitch, 0f).To(ArmsOut, 0f))
-            .For(BodyBuild.Standing).OnTheSpot(),
+        DyingOnBelly(-0.6f).For(BodyBuild.TwoLegged),
+        DyingOnBelly(0f).For(BodyBuild.Standing),
         new Act("Die", ActKind.Posture,
             new ActPhase("jerk", 1f, ActEase.Out).To(BackSide, 0.5f).To(NeckSide, 0.5f).To(Jaw, 0.6f).To(NeckPitch, 0.5f),
             new ActPhase("roll", 5f).To(BackSide, 0.15f).To(Roll, 2.8f).To(NeckPitch, 0f).To(Lids, 0.8f).To(Jaw, 0.3f).To(Wings, 0.4f),
@@ -118,6 +111,19 @@ internal static class Postures
             new ActPhase("rise", 3f).To(ForeDown, 0f).To(NeckPitch, 0f).To(HeadRoll, 0f).To(NeckTwist, 0f).To(NeckSide, 0f).To(Jaw, 0f).To(Lids, 0f))
             .For(BodyBuild.Legless),
     };
+
+    /// <summary>Down on the belly, the head laid to a side; who stands on two legs tips over ahead onto its breast.</summary>
+    /// <param name="tip">By how much its trunk tips, radians, nose up.</param>
+    private static Act DyingOnBelly(float tip) =>
+        new Act("Die", ActKind.Posture,
+            new ActPhase("reel", 1.6f).To(Aside, 0.06f).To(Roll, -0.06f).To(NeckPitch, 0.3f).To(NeckSide, -0.3f).To(Lids, 0.5f).To(Jaw, 0.4f).To(Ears, 0.8f),
+            new ActPhase("buckle", 1.2f, ActEase.In).To(ForeDown, 0.62f).To(HindDown, 0.45f).To(ForeFold, 0.6f).To(HindFold, 0.4f).To(Aside, 0f).To(NeckPitch, -0.1f),
+            new ActPhase("drop", 1.4f, ActEase.In).To(ForeDown, 0.97f).To(HindDown, 0.97f).To(ForeFold, 1f).To(HindFold, 1f).To(NeckPitch, -0.6f).To(Roll, 0f).To(Pitch, 0.4f * tip),
+            new ActPhase("settle", 1.6f, ActEase.Out).To(Pitch, tip).To(NeckPitch, -0.9f).To(NeckSide, 0.5f).To(HeadRoll, 0.25f).To(HeadSide, 0.2f).To(Lids, 0.8f).To(Jaw, 0.3f).To(TailSide, 0.4f).To(TailPitch, -0.3f).To(ArmsOut, 0.3f),
+            new ActPhase("still", 5f).Lasting(),
+            new ActPhase("lift", 2.4f).To(Pitch, 0f).To(ForeDown, 0.5f).To(HindDown, 0.5f).To(ForeFold, 0.4f).To(HindFold, 0.4f).To(NeckPitch, -0.4f),
+            new ActPhase("rise", 2.6f).To(ForeDown, 0f).To(HindDown, 0f).To(ForeFold, 0f).To(HindFold, 0f).To(NeckPitch, 0f).To(NeckSide, 0f).To(HeadRoll, 0f).To(HeadSide, 0f).To(Lids, 0f).To(Jaw, 0f).To(Ears, 0f).To(TailSide, 0f).To(TailPitch, 0f).To(ArmsOut, 0f))
+            .OnTheSpot();
 
     /// <summary>Over onto the flank, legs stretched out.</summary>
     private static ActPhase OntoFlank(string name, float duration, ActEase ease) =>
