@@ -21,6 +21,10 @@ internal static class BodyBlender
     /// <summary>How far a station belongs to the tail: the rump goes over to the torso.</summary>
     private static readonly double[] tailness = { 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.25, 0.6, 1, 1, 1 };
 
+    // The first station that a hump raises, and by how much of it each does: one that rose and fell within a station would be a corner before the shoulder and a step behind it.
+    private const int FirstHumped = 8;
+    private static readonly double[] humped = { 0.3, 0.9, 1, 0.4 };
+
     /// <summary>The stations of the mixed body, whatever its posture.</summary>
     public static BodyStations Blend(BodyBlueprint body)
     {
@@ -133,10 +137,14 @@ internal static class BodyBlender
             s.Bottom[i] *= 1 + ((p.Girth - 1) * 0.7);
         }
 
-        for (int i = 9; i <= 10; i++)
+        for (int i = 0; i < humped.Length; i++)
         {
-            s.Top[i] *= p.Hump;
-            s.Bottom[i + 1] *= p.Belly;
+            s.Top[FirstHumped + i] *= 1 + (humped[i] * (p.Hump - 1));
+        }
+
+        for (int i = 10; i <= 11; i++)
+        {
+            s.Bottom[i] *= p.Belly;
         }
     }
 

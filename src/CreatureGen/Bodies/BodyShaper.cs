@@ -25,6 +25,19 @@ internal static class BodyShaper
     /// <summary>Metres that the outline of a tail's fan or fin lies off its ring, along the spine: a bend must leave room for it.</summary>
     private const double TailOutline = 0.16;
 
+    // From where on outlines are evened out, how far and how often: that of the rump into the tail of all; that of what swims from behind its neck on, which has no legs to end its trunk at; and the line from the neck over the withers of others, where a chest and a neck of different bodies meet in a knob, but under wings that fold onto the back that they know.
+    private const int RumpFirst = 40;
+    private const int RumpRounds = 3;
+    private const int SwimmerFirst = 24;
+    private const int SwimmerRounds = 10;
+    private const int WithersFirst = 19;
+    private const int WithersEnd = 34;
+    private const int WithersRounds = 8;
+
+    // Share of the first body from which on a torso keeps its own withers, and at which it is mixed.
+    private const double Pure = 0.88;
+    private const double Mixed = 0.75;
+
     private static readonly double[] stationKnots = Array.ConvertAll(BodyGrid.StationRings.ToArray(), r => (double)r);
     private static readonly int[] stationOfRing = IntervalOfRing();
 
@@ -48,9 +61,7 @@ internal static class BodyShaper
         Interpolate(stations.Bottom, shape.Bottom);
         ApplyLattice(body, arc, shape.Step, shape.Width, shape.Top, shape.Bottom);
         ApplyDepth(body.Proportions, shape.Width, shape.Top, shape.Bottom);
-        SmoothRump(shape.Width);
-        SmoothRump(shape.Top);
-        SmoothRump(shape.Bottom);
+        Fair(plan, body, shape);
         Divide(body.Annuli, shape.Width, shape.Top, shape.Bottom);
         TailShaper.Shape(tail, shape.Step, shape.Width, shape.Top, shape.Bottom);
         SetExponents(shape, stations, head, tail);
@@ -166,22 +177,43 @@ internal static class BodyShaper
         }
     }
 
-    /// <summary>Evens out the outline from the rump into the tail, where stations are far apart and their regions come from other bodies: a change of slope there is the corner of an abdomen or the edge of a rump.</summary>
-    private static void SmoothRump(double[] size)
+    /// <summary>Evens out outlines where stations are far apart and their regions come from other bodies: a change of slope there is the corner of an abdomen, of a belly or of a shoulder.</summary>
+    private static void Fair(BodyPlan plan, BodyBlueprint body, BodyShape shape)
     {
-        const int First = 40;
-        const int Rounds = 3;
-        for (int round = 0; round < Rounds; round++)
+        bool swims = IsStreamlined(plan, body);
+        foreach (double[] size in new[] { shape.Width, shape.Top, shape.Bottom })
         {
-            double before = size[First - 1];
-            for (int i = First; i < BodyGrid.Rings - 1; i++)
+            Fair(size, RumpFirst, StationRing.TailTip, RumpRounds, 1);
+            if (swims)
+            {
+                Fair(size, SwimmerFirst, StationRing.TailTip, SwimmerRounds, 1);
+            }
+        }
+
+        double mixed = Scalar.Smooth((Pure - body.Blend.TorsoFractions[0]) / (Pure - Mixed));
+        if (mixed > 0 && !swims && plan is not (BodyPlan.Legless or BodyPlan.ManyLegged or BodyPlan.Hexapod or BodyPlan.Buzzing or BodyPlan.Flapping))
+        {
+            Fair(shape.Top, WithersFirst, WithersEnd, WithersRounds, mixed);
+        }
+    }
+
+    /// <summary>Draws sizes of rings, from the first up to the end, near to those beside them.</summary>
+    private static void Fair(double[] size, int first, int end, int rounds, double weight)
+    {
+        for (int round = 0; round < rounds; round++)
+        {
+            double before = size[first - 1];
+            for (int i = first; i < end; i++)
             {
                 double here = size[i];
-                size[i] = (before + (2 * here) + size[i + 1]) / 4;
+                size[i] = Scalar.Lerp(here, (before + (2 * here) + size[i + 1]) / 4, weight);
                 before = here;
             }
         }
     }
+
+    /// <summary>Whether a body slips through water; a disc is all edge.</summary>
+    private static bool IsStreamlined(BodyPlan plan, BodyBlueprint body) => plan is BodyPlan.Fish or BodyPlan.Eel or BodyPlan.Whale or BodyPlan.Flipper && body.Disc.Sweep == 0;
 
     /// <summary>Rings like those of an abdomen: every third ring of the grid swells, the one before it is drawn in.</summary>
     private static void Divide(AnnuliBlueprint annuli, double[] width, double[] top, double[] bottom)

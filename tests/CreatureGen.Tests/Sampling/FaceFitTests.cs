@@ -17,6 +17,9 @@ public sealed class FaceFitTests
     /// <summary>Most that nineteen of twenty faces are held up, degrees: what the bend of the nape leaves of the rule's 3 (10 without).</summary>
     private const double HighestFace = 5;
 
+    /// <summary>Fall of a face, degrees, that all but one of twelve over legs have: what the bend of the nape leaves of the rule's 10 (one of five has not without it).</summary>
+    private const double LevelFace = 2;
+
     /// <summary>Shortest face of another body on a swimmer in heights of its brow: what the greatest factor on a snout leaves of the rule's .85 (.36 without).</summary>
     private const double ShortestFace = 0.45;
 
@@ -44,6 +47,25 @@ public sealed class FaceFitTests
         }
 
         Assert.True(20 * up <= faces, FormattableString.Invariant($"{kind}: {up} of {faces} faces are held up"));
+    }
+
+    [Fact]
+    public void Faces_over_legs_look_down_to_who_stands_before_them()
+    {
+        int faces = 0;
+        int level = 0;
+        foreach ((CreatureBlueprint creature, BodyShape shape) in Drawn(RequestedKind.Walking, 0.6))
+        {
+            if (SpeciesCatalogue.Find(creature.Body.Blend.Face).Class != AnimalClass.Arthropod && (PlanTraits.IsAboveLegs(creature.Plan) || creature.Plan is BodyPlan.Theropod or BodyPlan.Upright))
+            {
+                double fall = 180 / Math.PI * Math.Atan2(shape.Y[StationRing.Brow] - shape.Y[StationRing.Nose], shape.Z[StationRing.Nose] - shape.Z[StationRing.Brow]);
+                level += fall < LevelFace ? 1 : 0;
+                faces++;
+            }
+        }
+
+        Assert.InRange(faces, 20, Count);
+        Assert.True(12 * level <= faces, FormattableString.Invariant($"{level} of {faces} faces show their chin"));
     }
 
     [Fact]

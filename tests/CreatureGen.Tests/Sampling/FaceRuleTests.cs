@@ -46,6 +46,21 @@ public sealed class FaceRuleTests
     }
 
     [Fact]
+    public void The_own_horn_of_a_head_on_another_body_is_shorter_than_the_face_is_high() =>
+        Assert.InRange(Assert.Single(Cleared("rhino", "rhino", Part(FeatureKind.Horn, 3, 2))).Length, 0.4, 0.49);
+
+    [Theory]
+    [InlineData(RequestedKind.Walking)]
+    [InlineData(RequestedKind.Flying)]
+    public void A_single_eye_does_not_look_out_from_behind_a_horn(RequestedKind kind)
+    {
+        // This one draws a single eye and has a rhino's head.
+        CreatureBlueprint creature = BlueprintSampler.Sample(13600002, CreatureOptions.Default with { Kind = kind });
+        Assert.Contains(creature.Features, part => part is { Kind: FeatureKind.Horn, Segment: 0, Ring: < 7 });
+        Assert.NotEqual(0, creature.Head.Eyes.Segment);
+    }
+
+    [Fact]
     public void A_crest_of_another_species_is_no_longer_than_a_head_is_high_by_a_fifth() =>
         Assert.InRange(Assert.Single(Cleared("canine", "pterosaur", Part(FeatureKind.Plate, 12, 2))).Length, 0.6, 0.72);
 

@@ -15,12 +15,15 @@ internal static class FaceRule
     private const double LongestBefore = 0.7;
     private const double LongestAbove = 1.15;
 
+    /// <summary>The same of a head's own horns before its face on another body.</summary>
+    private const double LongestOwn = 0.8;
+
     // Where a crest of the snout goes on a mixed creature, and how: it lies back over the crown.
     private const double CrownRing = 12;
     private const double CrownOutward = 0.5;
     private const double CrownUpward = 0.25;
 
-    /// <summary>Takes off what crowds a face and shortens what stays; what a species wears on its own head stays as it is; where that is on another body it is shortened above it, and crests on the snout lie back over the crown.</summary>
+    /// <summary>Takes off what crowds a face and shortens what stays; what a species wears on its own head stays as it is; where that is on another body horns are shortened before and above it, and crests on the snout lie back over the crown.</summary>
     public static void Clear(CreatureBuilder builder)
     {
         bool own = builder.Parents.Ornaments == builder.Parents.Head;
@@ -33,6 +36,7 @@ internal static class FaceRule
         Shorten(builder, part => part is { Segment: 0, Kind: FeatureKind.Horn or FeatureKind.Plate } && !IsBefore(part) && part.Ring <= StationRing.Nape, LongestAbove * height);
         if (own)
         {
+            Shorten(builder, part => IsBefore(part) && !IsBlade(part) && part.Kind == FeatureKind.Horn, LongestOwn * height);
             Replace(builder, IsBlade, part => part with { Ring = CrownRing, Outward = CrownOutward, Upward = CrownUpward, Forward = -1 });
             return;
         }
@@ -66,6 +70,9 @@ internal static class FaceRule
     /// <summary>Whether something big is on the head already: a second thing would crowd it.</summary>
     public static bool IsDressed(CreatureBuilder builder) =>
         builder.Frills.Count > 0 || builder.Manes.Count > 0 || builder.Features.Exists(part => part.Kind != FeatureKind.Eye && part.Ring < StationRing.Nape + 1);
+
+    /// <summary>Whether something stands along the middle of the face: a single eye would look out from behind it.</summary>
+    public static bool IsHidden(CreatureBuilder builder) => builder.Features.Exists(part => part.Segment == 0 && IsBefore(part));
 
     /// <summary>Whether a part is a crest on the snout: on that of another species it stands between the eyes like a blade.</summary>
     private static bool IsBlade(FeatureBlueprint part) => part.Kind == FeatureKind.Plate && part.Ring < BeakEnd;

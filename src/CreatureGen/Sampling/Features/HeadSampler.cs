@@ -208,7 +208,7 @@ internal static class HeadSampler
         bool slit = random.Chance(species.SlitPupils);
         bool bar = builder.Stream("bar pupils").Chance(species.BarPupils);
         EyeStyle style = species.EyeStyle != EyeStyle.Round ? species.EyeStyle : faceted ? EyeStyle.Compound : slit ? EyeStyle.Slit : bar ? EyeStyle.Bar : EyeStyle.Round;
-        if (builder.Stream("single eye").Chance(SingleEyes * builder.Strangeness) && species.Class != AnimalClass.Arthropod && species.Snout != SnoutKind.Beak)
+        if (builder.Stream("single eye").Chance(SingleEyes * builder.Strangeness) && species.Class != AnimalClass.Arthropod && species.Snout != SnoutKind.Beak && !FaceRule.IsHidden(builder))
         {
             double large = Math.Min(1.35 * radius, LargestSingle * half);
             return new EyeBlueprint(style, species.Eye.Ring - 0.6, 0, large, SingleSink, SingleForward, Scalar.Radians(58), Scalar.Radians(60), 0);

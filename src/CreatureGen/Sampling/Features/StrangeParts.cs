@@ -18,7 +18,7 @@ internal static class StrangeParts
 
     // Least length of a further tail in torsos, and in radii of its root: shorter and thicker ones are horns on the rump.
     private const double LeastTail = 0.6;
-    private const double Slenderness = 13;
+    private const double Slenderness = 16;
 
     /// <summary>Draws what there is.</summary>
     public static void Add(CreatureBuilder builder)
@@ -96,7 +96,7 @@ internal static class StrangeParts
         }
 
         double length = (0.75 + (0.4 * size)) * Math.Max(s.Arc[BodyGrid.Rings - 1] - s.Arc[StationRing.TorsoLast], LeastTail * builder.TorsoLength);
-        double radius = Math.Min(0.62 * 0.5 * (s.Width[StationRing.TailBase] + builder.HalfDepth(StationRing.TailBase)), length / Slenderness);
+        double radius = Math.Min(0.5 * 0.5 * (s.Width[StationRing.TailBase] + builder.HalfDepth(StationRing.TailBase)), length / Slenderness);
         var tail = new FeatureBlueprint(FeatureKind.Tail, TailRing, Segment: 4.6, Length: length, Radius: radius, Outward: 0.22, Upward: -0.1, Forward: -1, Sideward: 0.12, BendUp: -0.4, BendForward: 0, BendSide: 0, Flatness: 1, Taper: 0.7);
         builder.Features.Add(FeatureSampler.OffGround(builder, tail));
     }

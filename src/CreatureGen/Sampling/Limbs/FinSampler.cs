@@ -131,6 +131,7 @@ internal static class FinSampler
             _ => 0,
         };
         builder.Tail = new TailBlueprint(placement.Tail.Style, Stature.Fin(builder, TailFin) * spread, fork);
+        TailFit.Sink(builder);
         builder.Shape = StanceSampler.ShapeOf(builder);
     }
 
@@ -170,6 +171,7 @@ internal static class FinSampler
         }
 
         builder.Tail = new TailBlueprint(preset.Tail, CreatureBuilder.Between(random, preset.TailSize) * Stature.Fin(builder, TailFin), CreatureBuilder.Between(random, preset.TailFork), preset.TailLobe);
+        TailFit.Sink(builder);
         builder.Shape = StanceSampler.ShapeOf(builder);
     }
 

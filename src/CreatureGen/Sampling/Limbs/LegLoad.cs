@@ -10,8 +10,8 @@ namespace CreatureGen.Sampling.Limbs;
 /// <summary>How thick legs are for what they carry: those of a species are made for its own trunk, and a stouter one stands on them like a log on wires.</summary>
 internal static class LegLoad
 {
-    // Most that a leg gets thicker by below its thigh: of an insect's, whose femur swells to nearly twice its coxa as a beetle's does, and of those with folded knees under a body, whose shank would cross the thigh.
-    private const double MaxOfJointed = 2.3;
+    // Most that a leg gets thicker by below its thigh: of an insect's, whose femur swells to twice its coxa as a beetle's does, and of those with folded knees under a body, whose shank would cross the thigh.
+    private const double MaxOfJointed = 2.5;
     private const double MaxOfFolded = 1.2;
 
     /// <summary>Thickness that a bird's trunk asks for, relative to others of its size: much of it is feathers.</summary>

@@ -19,6 +19,12 @@ internal static class FaceFit
     /// <summary>Most that a face is held up, degrees: one that is raised on a neck shows its throat and no eyes.</summary>
     private const double HighestFace = 3;
 
+    /// <summary>Least that the face of what stands over its legs falls away, degrees: its head is above the eye that it is seen by, which looks up at the chin of a level one.</summary>
+    private const double LeastFall = 10;
+
+    /// <summary>Most that a neck is laid down for it, degrees.</summary>
+    private const double MostLaid = 18;
+
     // Shortest face of another body on a swimmer, from the nose to the brow in heights of the brow, and most that its snout is longer for it: a shorter one is the sawn end of a log.
     private const double Shortest = 0.85;
     private const double MostLonger = 1.6;
@@ -44,7 +50,9 @@ internal static class FaceFit
             : builder.Species.Class == AnimalClass.Arthropod ? SteepestOnInsect : SteepestOfAnother;
         double fall = Fall(builder);
         double raised = Math.Max(0, fall - Scalar.Radians(steepest));
-        double lowered = Math.Max(0, -fall - Scalar.Radians(HighestFace));
+        bool stands = builder.Kind == LocomotionKind.Walking && (PlanTraits.IsAboveLegs(builder.Plan) || builder.Plan is BodyPlan.Theropod or BodyPlan.Upright);
+        double least = Scalar.Radians(stands ? LeastFall : -HighestFace);
+        double lowered = Math.Max(0, least - fall);
         BodyPosture level = drawn with { Head = drawn.Head + (builder.Fitting * (raised - lowered)) };
         if (lowered == 0)
         {
@@ -53,7 +61,7 @@ internal static class FaceFit
 
         // On a steep neck the nape does not bend as far as that: the neck is laid down by the rest.
         builder.Posture = level;
-        double still = Math.Max(0, -Fall(builder) - Scalar.Radians(HighestFace));
+        double still = Scalar.Clamp(least - Fall(builder), 0, Scalar.Radians(MostLaid));
         return level with { Neck = level.Neck - (builder.Fitting * still) };
     }
 

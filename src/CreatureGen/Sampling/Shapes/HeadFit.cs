@@ -31,6 +31,9 @@ internal static class HeadFit
     private const double Smallest = 0.42;
     private const double MostGrown = 1.4;
 
+    /// <summary>Thinnest neck that this leaves, against the trunk: on a thinner one the withers are a knob. Insects have no withers.</summary>
+    private const double NeckOfTrunk = 0.38;
+
     // The same on bodies of fish, snakes and insects, which have no neck of their own.
     private const double NeckOfNeckless = 0.78;
     private const double LeastOfNeckless = 0.6;
@@ -84,6 +87,7 @@ internal static class HeadFit
         bool necked = (neckless || builder.Parents.Head != builder.Parents.First) && builder.Kind != LocomotionKind.Swimming && builder.Plan is not (BodyPlan.Legless or BodyPlan.ManyLegged);
         (double neckWidth, double neckHeight) = Largest(shape, FirstOfNeck, LastOfNeck);
         (double thickest, double least) = neckless ? (NeckOfNeckless, LeastOfNeckless) : (Neck, LeastNeck);
+        least = builder.Species.Class == AnimalClass.Arthropod ? least : Math.Max(least, Math.Min(1, NeckOfTrunk * Math.Sqrt(width * height / (neckWidth * neckHeight))));
         double neck = necked ? Scalar.Clamp(thickest * head * Math.Sqrt(headWidth * headHeight / (neckWidth * neckHeight)), least, 1) : 1;
         return drawn with
         {

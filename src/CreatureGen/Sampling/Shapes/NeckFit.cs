@@ -19,7 +19,7 @@ internal static class NeckFit
     private const double SlenderNeck = 0.42;
 
     /// <summary>What of a head is seen over a back on legs under it or in the air, in heights of the head, and most degrees that the neck is raised for it.</summary>
-    private const double Seen = 0.35;
+    private const double Seen = 0.5;
     private const double MostRaised = 26;
 
     /// <summary>The posture with a neck that is raised where its head would be hidden behind the back, and laid down where it is thick and steep.</summary>

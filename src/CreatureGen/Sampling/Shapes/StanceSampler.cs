@@ -111,9 +111,9 @@ internal static class StanceSampler
         Clear(builder);
     }
 
-    /// <summary>Whether some of a body that stands on legs is below the ground.</summary>
+    /// <summary>Whether some of a body that stands on legs is below the ground, the round end of its tail included.</summary>
     public static bool Sinks(CreatureBuilder builder) => builder.Plan != BodyPlan.Legless && builder.IsOnGround
-        && (Lowest(builder.Shape, 0, BodyGrid.Rings) < 0 || Lowest(builder.Shape, StationRing.Nose, StationRing.TrunkFirst) < ChinReach(builder) || Lowest(builder.Shape, BodyGrid.Rings - 1, BodyGrid.Rings) < FanReach(builder) || LowestFeeler(builder) < 0);
+        && (Lowest(builder.Shape, 0, BodyGrid.Rings) < 0 || Lowest(builder.Shape, StationRing.Nose, StationRing.TrunkFirst) < ChinReach(builder) || Lowest(builder.Shape, BodyGrid.Rings - 1, BodyGrid.Rings) < FanReach(builder) || builder.Shape.Y[^1] < builder.Shape.Bottom[^1] || LowestFeeler(builder) < 0);
 
     /// <summary>How far the chin of another species may reach below the sections of a head, metres.</summary>
     private static double ChinReach(CreatureBuilder builder) => builder.Parents.Head == builder.Parents.First ? 0 : Chin * builder.HalfDepth(StationRing.Brow);

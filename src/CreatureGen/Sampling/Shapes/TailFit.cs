@@ -16,7 +16,7 @@ internal static class TailFit
     private const double Size = 0.8;
 
     /// <summary>The same of a mixed insect's abdomen: from behind it is nearer than the rest and hides it.</summary>
-    private const double LargestAbdomen = 0.92;
+    private const double LargestAbdomen = 0.8;
 
     // Largest root of a tail against the hips, behind legs under the body and of one that balances a body on two legs or in the air: one as thick as they are goes on as trunk, and has no rump before it.
     private const double LargestRoot = 0.5;
@@ -33,18 +33,26 @@ internal static class TailFit
     private const double LeastCarried = 10;
     private const double Slimmed = 0.6;
 
-    // How far a bare tail behind legs under the body falls at least, and how far its tip bends back out, degrees; one that is carried higher than level by this is raised on purpose. A tail that balances a body on two legs falls less, and is raised on none: from behind it is a spike.
+    // How far a bare tail behind legs under the body falls at least, and how far its tip bends back out, degrees: one that is held up is a spike from behind. A tail that balances a body on two legs falls less.
     private const double HungDegrees = 34;
     private const double TipDegrees = 22;
-    private const double HeldUpDegrees = 12;
     private const double BalancingDegrees = 17;
 
+    /// <summary>The same of a bare tail behind legs out to the side: one that rises is a round end from behind.</summary>
+    private const double TrailingDegrees = 5;
+
     /// <summary>The same of a bare tail of a flier: a level one is not seen from behind, and the rump is a block.</summary>
-    private const double FlownDegrees = 16;
+    private const double FlownDegrees = 23;
+
+    /// <summary>The same of a swimmer's with flukes, within what its spine may slope.</summary>
+    private const double FlukeDegrees = 9;
 
     // How far a tail that rolls up on a mixed body comes down before it does, degrees, behind legs under the body and behind others: one that rises from its root on is a spike over the back from behind.
     private const double RolledFallDegrees = 64;
     private const double RolledFallOnOthers = 54;
+
+    /// <summary>The same, for its end against its root: those of fish and newts rise by themselves.</summary>
+    private const double RolledLeastFall = 22;
 
     // Most that an abdomen comes down, and how far its end bends back out: one that turns down at its end looks cut off there.
     private const double AbdomenDegrees = 19;
@@ -77,7 +85,7 @@ internal static class TailFit
     private const int LastOfTail = 54;
 
     /// <summary>The same of an abdomen, which is to run out instead of ending in a bulge.</summary>
-    private static readonly double[] abdomen = { 1, 0.85, 0.7 };
+    private static readonly double[] abdomen = { 0.85, 0.68, 0.5 };
 
     /// <summary>Girths of the last slices of a bird's tail without feathers, the tip last, relative to what its tables give.</summary>
     private static readonly double[] featherless = { 0.8, 0.6, 0.35 };
@@ -140,7 +148,9 @@ internal static class TailFit
         if (builder.Tail.Style == TailStyle.Prehensile)
         {
             double rolled = Scalar.Radians(PlanTraits.IsAboveLegs(builder.Plan) ? RolledFallDegrees : RolledFallOnOthers);
-            return drawn with { Tail = Scalar.Lerp(drawn.Tail, rolled, builder.Fitting) };
+            builder.Posture = drawn with { Tail = Scalar.Lerp(drawn.Tail, rolled, builder.Fitting) };
+            double lacks = Math.Max(0, Scalar.Radians(RolledLeastFall) - Fall(builder));
+            return builder.Posture with { Tail = builder.Posture.Tail + (builder.Fitting * lacks) };
         }
 
         bool fan = builder.Tail.Style == TailStyle.Feathers;
@@ -151,13 +161,19 @@ internal static class TailFit
         }
 
         bool flown = builder.Plan == BodyPlan.Flapping && builder.Species.Class != AnimalClass.Arthropod && IsBareEnd(builder);
+        bool trails = builder.Kind == LocomotionKind.Walking && builder.Plan == BodyPlan.Sprawling && builder.Species.Disc.Sweep == 0 && IsBareEnd(builder);
+        if (trails)
+        {
+            return drawn with { Tail = drawn.Tail + (builder.Fitting * Math.Max(0, Scalar.Radians(TrailingDegrees) - Fall(builder))) };
+        }
+
         if (!flown && (builder.Kind != LocomotionKind.Walking || !(fan || balances || IsBare(builder))))
         {
             return drawn;
         }
 
         double fall = Fall(builder);
-        if (!balances && !flown && fall < -Scalar.Radians(fan ? RaisedDegrees : HeldUpDegrees))
+        if (fan && fall < -Scalar.Radians(RaisedDegrees))
         {
             return drawn;
         }
@@ -171,6 +187,17 @@ internal static class TailFit
         double tip = builder.Fitting * Scalar.Radians(TipDegrees) * hung / Scalar.Radians(HungDegrees);
         double lower = builder.Fitting * Math.Max(0, hung - fall);
         return drawn with { Tail = drawn.Tail + lower + (0.5 * tip), TailBend = drawn.TailBend - (tip / BodyGrid.TailBones) };
+    }
+
+    /// <summary>Lets the tail of a swimmer with flukes fall a little: edge on they are a bar before the rump.</summary>
+    public static void Sink(CreatureBuilder builder)
+    {
+        if (builder.Tail.Style == TailStyle.Fluke)
+        {
+            double lacks = builder.Fitting * Math.Max(0, Scalar.Radians(FlukeDegrees) - Fall(builder));
+            builder.Posture = builder.Posture with { Tail = builder.Posture.Tail + lacks };
+            builder.Drawn = builder.Drawn with { Tail = builder.Drawn.Tail + lacks };
+        }
     }
 
     /// <summary>How far the tail comes down from the rump, radians.</summary>

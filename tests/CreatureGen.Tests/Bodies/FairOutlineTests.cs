@@ -1,0 +1,91 @@
+using System;
+using System.Collections.Generic;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
+using CreatureGen.Sampling;
+using CreatureGen.Species;
+using Xunit;
+
+namespace CreatureGen.Tests.Bodies;
+
+public sealed class FairOutlineTests
+{
+    private const ulong First = 13660001;
+    private const int Count = 120;
+
+    /// <summary>Sharpest convex corner of a mixed swimmer's belly and back, and of a mixed walker's withers, degrees over four rings (40, 33 and 42 where nothing is evened out).</summary>
+    private const double SharpestBelly = 26;
+    private const double SharpestBack = 22;
+    private const double SharpestWithers = 30;
+
+    /// <summary>Share of the first body in a torso below which it is mixed.</summary>
+    private const double Mixed = 0.75;
+
+    /// <summary>Rings to either side of a corner that its sides go through.</summary>
+    private const int Side = 2;
+
+    [Fact]
+    public void Mixed_swimmers_have_no_corners_between_the_shoulder_and_the_tail()
+    {
+        foreach ((CreatureBlueprint creature, BodyShape shape) in Drawn(RequestedKind.Swimming))
+        {
+            if (SpeciesCatalogue.Find(creature.Body.Blend.First).Disc.Sweep == 0)
+            {
+                double belly = SharpestCorner(shape, -1, 24, StationRing.Pelvis);
+                double back = SharpestCorner(shape, 1, 24, StationRing.Pelvis);
+                Assert.True(belly < SharpestBelly, FormattableString.Invariant($"{creature.Seed}: a corner of {belly:0} degrees in its belly"));
+                Assert.True(back < SharpestBack, FormattableString.Invariant($"{creature.Seed}: a corner of {back:0} degrees in its back"));
+            }
+        }
+    }
+
+    [Fact]
+    public void The_withers_of_mixed_walkers_are_no_knob()
+    {
+        int withers = 0;
+        foreach ((CreatureBlueprint creature, BodyShape shape) in Drawn(RequestedKind.Walking))
+        {
+            if (creature.Plan is BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar or BodyPlan.Centaur or BodyPlan.Theropod
+                && creature.Body.Blend.TorsoFractions[0] < Mixed)
+            {
+                double knob = SharpestCorner(shape, 1, 23, StationRing.Ribs);
+                Assert.True(knob < SharpestWithers, FormattableString.Invariant($"{creature.Seed}: a corner of {knob:0} degrees"));
+                withers++;
+            }
+        }
+
+        Assert.InRange(withers, 20, Count);
+    }
+
+    private static IEnumerable<(CreatureBlueprint Creature, BodyShape Shape)> Drawn(RequestedKind kind)
+    {
+        for (ulong seed = First; seed < First + Count; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = kind });
+            yield return (creature, BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail));
+        }
+    }
+
+    /// <summary>Sharpest turn of the outline inwards as it goes back, degrees.</summary>
+    private static double SharpestCorner(BodyShape shape, int side, int first, int last)
+    {
+        double sharpest = 0;
+        for (int ring = first; ring <= last; ring++)
+        {
+            sharpest = Math.Max(sharpest, side * (Slope(shape, side, ring - Side) - Slope(shape, side, ring)));
+        }
+
+        return sharpest;
+    }
+
+    /// <summary>How the outline rises from a ring to the one that is a side behind it, degrees.</summary>
+    private static double Slope(BodyShape shape, int side, int ring)
+    {
+        int next = ring + Side;
+        return 180 / Math.PI * Math.Atan2(Height(shape, side, next) - Height(shape, side, ring), shape.Z[ring] - shape.Z[next]);
+    }
+
+    private static double Height(BodyShape shape, int side, int ring) =>
+        shape.Y[ring] + (side * Math.Cos(shape.Pitch[ring]) * (side > 0 ? shape.Top[ring] : shape.Bottom[ring]));
+}
