@@ -24,6 +24,9 @@ internal sealed partial class FootingSearch
     /// <summary>How much more a leg length counts by which a hip that comes to its end keeps a foot off its place: it comes down beside it.</summary>
     private const float KeptFactor = 4f;
 
+    /// <summary>How far a hip goes up and down in its gait, leg lengths.</summary>
+    private const float Bounce = 0.1f;
+
     /// <summary>Part of a stance in which the body comes over the foot.</summary>
     private const float ComingOver = 0.35f;
 
@@ -106,6 +109,10 @@ internal sealed partial class FootingSearch
     private float Beyond(in StepContext step, LegRig shape, in Foot foot, float seconds, Vector3 place)
     {
         place = Then(step, seconds, place);
+
+        // Seen from a hip at its height at rest; on a slope those of a long trunk are far from there.
+        float raised = foot.Leg.Hip.Y - shape.HipRest.Y;
+        place.Y -= shape.Lateral ? 0f : raised - Scalar.Clamp(raised, -Bounce * shape.Length, Bounce * shape.Length);
         return Vec.Distance(LandingRange.Within(body, shape, foot.Leg, step.RootVelocity, seconds, place), place);
     }
 
