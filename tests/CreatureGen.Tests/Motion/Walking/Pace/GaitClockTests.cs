@@ -44,6 +44,42 @@ public sealed class GaitClockTests
         }
     }
 
+    [Theory]
+    [InlineData(BodyPlan.Digitigrade)]
+    [InlineData(BodyPlan.Theropod)]
+    public void Up_and_down_stairs_nobody_is_quicker_than_who_runs_up_them_with_all_his_might(BodyPlan plan)
+    {
+        foreach (Creature creature in StrokeSubject.Of(plan))
+        {
+            LeggedBody body = LeggedBody.Of(new MotionSubject(creature))!;
+            float unit = (float)System.Math.Sqrt(Gravity * body.LegLength);
+            foreach (float slope in new[] { 0.36f, -0.36f })
+            {
+                float speed = Going(body, GaitLibrary.Trot, unit, 0f, slope).OnSlope(3f * unit, Gravity);
+                Assert.InRange(System.Math.Abs(slope) * speed / unit, 0.05f, 0.601f);
+            }
+
+            Assert.Equal(3f * unit, Going(body, GaitLibrary.Trot, unit, 0f, 0f).OnSlope(3f * unit, Gravity));
+        }
+    }
+
+    /// <summary>One of 242 kg trotted down stairs at 7.4 steps a second: the trot's rate on the level at a speed at which it gallops there was held for quick enough.</summary>
+    [Theory]
+    [InlineData(BodyPlan.Hexapod)]
+    [InlineData(BodyPlan.Unguligrade)]
+    public void Whoever_is_asked_to_hurry_down_stairs_goes_so_slowly_that_its_steps_are_no_quicker_than_its_mass_lets_them(BodyPlan plan)
+    {
+        foreach (Creature creature in StrokeSubject.Of(plan))
+        {
+            LeggedBody body = LeggedBody.Of(new MotionSubject(creature))!;
+            float unit = Gravity * body.LegLength;
+            GaitClock clock = Going(body, GaitLibrary.Trot, 0.5f * (float)System.Math.Sqrt(unit), 0f, -0.36f);
+            float speed = clock.OnSlope(2f * (float)System.Math.Sqrt(unit), Gravity);
+            float level = Going(body, GaitLibrary.Trot, speed, 0f, 0f).FrequencyOf(GaitLibrary.Trot, speed * speed / unit, Gravity);
+            Assert.True(clock.FrequencyOf(GaitLibrary.Trot, speed * speed / unit, Gravity) <= 1.05f * System.Math.Max(level, GaitSet.QuickestOf(body.Mass)), $"{clock.FrequencyOf(GaitLibrary.Trot, speed * speed / unit, Gravity)} at {speed} m/s");
+        }
+    }
+
     /// <summary>Feet roll and fold less in short steps: they would do so from one update to the next.</summary>
     [Theory]
     [InlineData(BodyPlan.Digitigrade)]
