@@ -21,6 +21,18 @@ public sealed class CreatureLod
         Parts = parts;
     }
 
+    /// <summary>The mesh itself, in which each vertex stands for itself.</summary>
+    internal static CreatureLod Finest(CreatureMesh mesh)
+    {
+        int[] remap = new int[mesh.Positions.Length];
+        for (int v = 0; v < remap.Length; v++)
+        {
+            remap[v] = v;
+        }
+
+        return new CreatureLod(mesh, mesh.Triangles.ToArray(), mesh.Parts, remap);
+    }
+
     /// <summary>The triangles of a mesh that are left when each vertex gives way to another.</summary>
     /// <param name="mesh">The mesh.</param>
     /// <param name="remap">What <see cref="Remap"/> says.</param>

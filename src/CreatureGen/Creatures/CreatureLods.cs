@@ -51,7 +51,8 @@ public sealed class CreatureLods
         using var reduction = new MeshReduction(mesh);
         int triangles = reduction.Triangles;
         var levels = new CreatureLod[fractions.Length];
-        for (int i = 0; i < levels.Length; i++)
+        levels[0] = CreatureLod.Finest(mesh);
+        for (int i = 1; i < levels.Length; i++)
         {
             reduction.ReduceTo((int)(triangles * fractions[i]));
             levels[i] = reduction.ToLevel();

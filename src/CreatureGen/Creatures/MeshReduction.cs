@@ -124,6 +124,9 @@ internal sealed class MeshReduction : IDisposable
     {
         cost.Dispose();
         crossings.Dispose();
+        surface.Dispose();
+        remap.Dispose();
+        saved.Dispose();
     }
 
     /// <summary>Takes steps in rounds until no more than a number of triangles are left.</summary>

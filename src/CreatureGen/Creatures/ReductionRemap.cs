@@ -1,10 +1,11 @@
+using System;
 using System.Collections.Generic;
 using CreatureGen.Geometry;
 
 namespace CreatureGen.Creatures;
 
 /// <summary>Which points and drawn vertices stand for those that have gone in a reduction.</summary>
-internal sealed class ReductionRemap
+internal sealed class ReductionRemap : IDisposable
 {
     private readonly ReductionSubject subject;
     private readonly int[] points;
@@ -77,6 +78,9 @@ internal sealed class ReductionRemap
 
     /// <summary>Puts that back to what it was when it was kept.</summary>
     public void Restore() => saved.Restore();
+
+    /// <inheritdoc/>
+    public void Dispose() => saved.Dispose();
 
     private static int[] Identity(int count)
     {

@@ -11,7 +11,7 @@ namespace CreatureGen.Geometry;
 /// <remarks>
 /// A corner of a triangle has a point, where it is, and a drawn vertex, how it looks: points at which a texture or a colour parts have several vertices. A closed two-manifold stays one, because a point only moves when the link condition holds: what both ends of the edge neighbour is what the edge neighbours. Based on: H. Hoppe 1996, "Progressive meshes"; T. K. Dey, H. Edelsbrunner, S. Guha and D. V. Nekhayev 1999, "Topology preserving edge contraction".
 /// </remarks>
-internal sealed class CollapsingMesh
+internal sealed class CollapsingMesh : IDisposable
 {
     private readonly Vector3[] positions;
     private readonly Vector3[] normals;
@@ -94,6 +94,13 @@ internal sealed class CollapsingMesh
         Triangles = savedTriangles;
         saved.Restore();
         corners.Restore();
+    }
+
+    /// <summary>Gives borrowed memory back; nothing may be asked of it any more.</summary>
+    public void Dispose()
+    {
+        corners.Dispose();
+        saved.Dispose();
     }
 
     /// <summary>Whether a triangle has vanished.</summary>

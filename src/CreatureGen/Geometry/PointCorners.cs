@@ -1,10 +1,11 @@
 using System;
+using System.Buffers;
 
 namespace CreatureGen.Geometry;
 
 /// <summary>The corners of each point of a surface, side by side, as points take the place of others.</summary>
-/// <remarks>A point that takes the place of another one gets a new place at the end, for its own corners and those of the other. What lies there before is left as it is, so that the last step can be taken back.</remarks>
-internal sealed class PointCorners
+/// <remarks>A point that takes the place of another one gets a new place at the end, for its own corners and those of the other. What lies there before is left as it is, so that the last step can be taken back. The lists are borrowed from the pool.</remarks>
+internal sealed class PointCorners : IDisposable
 {
     private readonly int[] start;
     private readonly int[] count;
@@ -22,7 +23,7 @@ internal sealed class PointCorners
     {
         start = new int[positions];
         count = new int[positions];
-        corners = new int[2 * points.Length];
+        corners = ArrayPool<int>.Shared.Rent(2 * points.Length);
         foreach (int p in points)
         {
             count[p]++;
@@ -55,7 +56,10 @@ internal sealed class PointCorners
         int room = count[point] + count[other];
         if (corners.Length < end + room)
         {
-            Array.Resize(ref corners, 2 * (end + room));
+            int[] larger = ArrayPool<int>.Shared.Rent(2 * (end + room));
+            Array.Copy(corners, larger, end);
+            GiveBack(corners);
+            corners = larger;
         }
 
         return corners.AsSpan(end, room);
@@ -105,7 +109,12 @@ internal sealed class PointCorners
     {
         saved.Save();
         savedEnd = end;
-        savedCorners = savedCorners.Length < end ? new int[corners.Length] : savedCorners;
+        if (savedCorners.Length < end)
+        {
+            GiveBack(savedCorners);
+            savedCorners = ArrayPool<int>.Shared.Rent(corners.Length);
+        }
+
         Array.Copy(corners, savedCorners, end);
     }
 
@@ -115,5 +124,23 @@ internal sealed class PointCorners
         saved.Restore();
         end = savedEnd;
         Array.Copy(savedCorners, corners, end);
+    }
+
+    /// <inheritdoc/>
+    public void Dispose()
+    {
+        saved.Dispose();
+        GiveBack(corners);
+        GiveBack(savedCorners);
+        corners = Array.Empty<int>();
+        savedCorners = Array.Empty<int>();
+    }
+
+    private static void GiveBack(int[] borrowed)
+    {
+        if (borrowed.Length > 0)
+        {
+            ArrayPool<int>.Shared.Return(borrowed);
+        }
     }
 }
