@@ -25,18 +25,11 @@ internal static class BodyShaper
     /// <summary>Metres that the outline of a tail's fan or fin lies off its ring, along the spine: a bend must leave room for it.</summary>
     private const double TailOutline = 0.16;
 
-    // From where on outlines are evened out, how far and how often: that of the rump into the tail of all; that of what swims from behind its neck on, which has no legs to end its trunk at; and the line from the neck over the withers of others, where a chest and a neck of different bodies meet in a knob, but under wings that fold onto the back that they know.
+    // From where on outlines are evened out and how often: that of the rump into the tail of all, and that of what swims from behind its neck on, which has no legs to end its trunk at.
     private const int RumpFirst = 40;
     private const int RumpRounds = 3;
     private const int SwimmerFirst = 24;
     private const int SwimmerRounds = 10;
-    private const int WithersFirst = 19;
-    private const int WithersEnd = 34;
-    private const int WithersRounds = 8;
-
-    // Share of the first body from which on a torso keeps its own withers, and at which it is mixed.
-    private const double Pure = 0.88;
-    private const double Mixed = 0.75;
 
     private static readonly double[] stationKnots = Array.ConvertAll(BodyGrid.StationRings.ToArray(), r => (double)r);
     private static readonly int[] stationOfRing = IntervalOfRing();
@@ -183,30 +176,24 @@ internal static class BodyShaper
         bool swims = IsStreamlined(plan, body);
         foreach (double[] size in new[] { shape.Width, shape.Top, shape.Bottom })
         {
-            Fair(size, RumpFirst, StationRing.TailTip, RumpRounds, 1);
+            Fair(size, RumpFirst, RumpRounds);
             if (swims)
             {
-                Fair(size, SwimmerFirst, StationRing.TailTip, SwimmerRounds, 1);
+                Fair(size, SwimmerFirst, SwimmerRounds);
             }
-        }
-
-        double mixed = Scalar.Smooth((Pure - body.Blend.TorsoFractions[0]) / (Pure - Mixed));
-        if (mixed > 0 && !swims && plan is not (BodyPlan.Legless or BodyPlan.ManyLegged or BodyPlan.Hexapod or BodyPlan.Buzzing or BodyPlan.Flapping))
-        {
-            Fair(shape.Top, WithersFirst, WithersEnd, WithersRounds, mixed);
         }
     }
 
-    /// <summary>Draws sizes of rings, from the first up to the end, near to those beside them.</summary>
-    private static void Fair(double[] size, int first, int end, int rounds, double weight)
+    /// <summary>Draws sizes of rings, from the first up to the tip of the tail, near to those beside them.</summary>
+    private static void Fair(double[] size, int first, int rounds)
     {
         for (int round = 0; round < rounds; round++)
         {
             double before = size[first - 1];
-            for (int i = first; i < end; i++)
+            for (int i = first; i < StationRing.TailTip; i++)
             {
                 double here = size[i];
-                size[i] = Scalar.Lerp(here, (before + (2 * here) + size[i + 1]) / 4, weight);
+                size[i] = (before + (2 * here) + size[i + 1]) / 4;
                 before = here;
             }
         }

@@ -14,13 +14,9 @@ public sealed class FairOutlineTests
     private const ulong First = 13660001;
     private const int Count = 120;
 
-    /// <summary>Sharpest convex corner of a mixed swimmer's belly and back, and of a mixed walker's withers, degrees over four rings (40, 33 and 42 where nothing is evened out).</summary>
+    /// <summary>Sharpest convex corner of a mixed swimmer's belly and back, degrees over four rings (40 and 33 where nothing is evened out).</summary>
     private const double SharpestBelly = 26;
     private const double SharpestBack = 22;
-    private const double SharpestWithers = 30;
-
-    /// <summary>Share of the first body in a torso below which it is mixed.</summary>
-    private const double Mixed = 0.75;
 
     /// <summary>Rings to either side of a corner that its sides go through.</summary>
     private const int Side = 2;
@@ -38,24 +34,6 @@ public sealed class FairOutlineTests
                 Assert.True(back < SharpestBack, FormattableString.Invariant($"{creature.Seed}: a corner of {back:0} degrees in its back"));
             }
         }
-    }
-
-    [Fact]
-    public void The_withers_of_mixed_walkers_are_no_knob()
-    {
-        int withers = 0;
-        foreach ((CreatureBlueprint creature, BodyShape shape) in Drawn(RequestedKind.Walking))
-        {
-            if (creature.Plan is BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar or BodyPlan.Centaur or BodyPlan.Theropod
-                && creature.Body.Blend.TorsoFractions[0] < Mixed)
-            {
-                double knob = SharpestCorner(shape, 1, 23, StationRing.Ribs);
-                Assert.True(knob < SharpestWithers, FormattableString.Invariant($"{creature.Seed}: a corner of {knob:0} degrees"));
-                withers++;
-            }
-        }
-
-        Assert.InRange(withers, 20, Count);
     }
 
     private static IEnumerable<(CreatureBlueprint Creature, BodyShape Shape)> Drawn(RequestedKind kind)
