@@ -9,6 +9,7 @@ using CreatureGen.Motion.Metrics;
 using CreatureGen.Rigging;
 using CreatureGen.Sampling;
 using CreatureGen.Skinning;
+using CreatureGen.Tests.Motion.Kept;
 using Xunit;
 
 namespace CreatureGen.Tests.Motion.Falling;
@@ -264,14 +265,14 @@ public sealed class GettingUpTests
         Assert.InRange(SecondsToRise(profile) / MathF.Sqrt(profile.LegLength / 9.81f), 5f, 11f);
     }
 
-    /// <summary>They were heaved up as their legs came under them, lay down on these by .22 to .55 of a leg and rose again.</summary>
+    /// <summary>They were heaved up as their legs came under them, lay down on these by .22 to .55 of a leg and rose again. As they were then (<see cref="KeptCreatures"/>).</summary>
     [Theory]
     [InlineData(12500231UL)]
     [InlineData(12500055UL, Explicit = true)]
     [InlineData(12500020UL, Explicit = true)]
     public void Who_is_heaved_up_by_its_legs_rises_from_there(ulong seed)
     {
-        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        var profile = new MotionProfile(KeptCreatures.Of(seed));
         CreatureAnimator animator = Lying(profile);
         animator.GetUp();
         float highest = 0f;

@@ -3,6 +3,7 @@ using System.Numerics;
 using CreatureGen.Creatures;
 using CreatureGen.Motion;
 using CreatureGen.Sampling;
+using CreatureGen.Tests.Motion.Kept;
 using Xunit;
 
 namespace CreatureGen.Tests.Motion.Falling;
@@ -10,7 +11,7 @@ namespace CreatureGen.Tests.Motion.Falling;
 /// <summary>Limp bodies whose parts fall into gaps and are carried under the far edge.</summary>
 public sealed class LimpOverGapsTests
 {
-    /// <summary>Balls found deep below the edge were once brought out within one substep, and the body flew up to three legs high.</summary>
+    /// <summary>Balls found deep below the edge were once brought out within one substep, and the body flew up to three legs high: runners as they were then (<see cref="KeptCreatures"/>).</summary>
     [Theory]
     [InlineData(9990004)]
     [InlineData(9990010, Explicit = true)]
@@ -18,7 +19,7 @@ public sealed class LimpOverGapsTests
     [InlineData(9990030, Explicit = true)]
     public void A_runner_that_goes_limp_over_gaps_is_not_flung_up_by_their_edges(ulong seed)
     {
-        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        var profile = new MotionProfile(KeptCreatures.Of(seed));
         var ground = new Gaps(profile.LegLength);
         var input = new MotionInput(profile.Gaits!.Speeds[^1].Comfortable);
         for (int moment = 0; moment < 6; moment++)

@@ -2,7 +2,7 @@ using System;
 using CreatureGen.Motion;
 using CreatureGen.Motion.Metrics;
 using CreatureGen.Motion.Metrics.Courses;
-using CreatureGen.Sampling;
+using CreatureGen.Tests.Motion.Kept;
 using Xunit;
 
 namespace CreatureGen.Tests.Motion.Falling;
@@ -14,7 +14,7 @@ public sealed class SteppingStoneTests
     /// <summary>Leg lengths below which the root is never while feet find stones.</summary>
     private const float Deepest = 0.5f;
 
-    /// <summary>A digitigrade, a plantigrade, a hexapod and two hoofed ones that fell between the stones for good at a run.</summary>
+    /// <summary>A digitigrade, a plantigrade, a hexapod and two hoofed ones that fell between the stones for good at a run, as they were then (<see cref="KeptCreatures"/>).</summary>
     [Theory]
     [InlineData(9920002)]
     [InlineData(9920015)]
@@ -23,7 +23,7 @@ public sealed class SteppingStoneTests
     [InlineData(9920034)]
     public void Who_runs_over_stepping_stones_comes_down_on_stones(ulong seed)
     {
-        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        var profile = new MotionProfile(KeptCreatures.Of(seed));
         var run = new CourseSimulation(profile, CourseScripts.Runner(profile, Seconds), CourseGround.Stones, CourseRate.Of(60f));
         float farthest = 0f;
         foreach (float dt in run.Updates())

@@ -61,8 +61,8 @@ internal static class Upkeep
             .Needing(ActNeeds.Head).With(ActTool.Mouth, 0.4f).For(BodyBuild.Sprawling | BodyBuild.ManyLegged),
         new Act("Sniff", ActKind.Upkeep,
             new ActPhase("towards", 2.2f).To(Reach, 1f).To(Ears, -0.7f).To(TailPitch, 0.1f).Then(ActMark.Contact),
-            new ActPhase("sniff", 5f).To(Reach, 0.75f).With(new ActWave(Reach, 0.1f, 6f)).With(new ActWave(NeckSide, 0.4f, 1.5f)).With(new ActWave(HeadSide, 0.25f, 1.5f, 0.1f)).With(new ActWave(HeadPitch, 0.05f, 9f)).With(new ActWave(Jaw, 0.05f, 9f)).With(new ActWave(Ears, 0.3f, 5f, 0.3f)).With(new ActWave(TailSide, 0.2f, 2f)),
-            new ActPhase("to the wind", 1.8f).To(Reach, 0f).To(NeckPitch, 0.5f).To(HeadPitch, 0.3f).To(HeadSide, 0.15f).To(Ears, -0.4f),
+            new ActPhase("sniff", 5f).To(Reach, 0.75f).With(new ActWave(Reach, 0.05f, 6f)).With(new ActWave(NeckSide, 0.4f, 1.5f)).With(new ActWave(HeadSide, 0.25f, 1.5f, 0.1f)).With(new ActWave(HeadPitch, 0.05f, 9f)).With(new ActWave(Jaw, 0.05f, 9f)).With(new ActWave(Ears, 0.3f, 5f, 0.3f)).With(new ActWave(TailSide, 0.2f, 2f)),
+            new ActPhase("to the wind", 1.8f).To(Reach, 0f).To(NeckPitch, 0.28f).To(HeadPitch, 0.3f).To(HeadSide, 0.15f).To(Ears, -0.4f),
             new ActPhase("scent", 2.4f).To(HeadSide, -0.15f).With(new ActWave(HeadPitch, 0.08f, 5f)).With(new ActWave(Jaw, 0.05f, 5f)),
             new ActPhase("back", 2f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(HeadSide, 0f).To(Ears, 0f).To(TailPitch, 0f))
             .Needing(ActNeeds.Head).With(ActTool.Mouth, 0.4f),

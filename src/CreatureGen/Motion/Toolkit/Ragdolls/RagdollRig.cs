@@ -10,12 +10,13 @@ namespace CreatureGen.Motion.Toolkit;
 /// <summary>A creature as rigid parts that hang together at its joints. Immutable.</summary>
 /// <remarks>
 /// Every joint that holds skin and can turn makes a part, with mass and inertia of its capsule; eyes, jaws, ears, feelers and fins are one with what carries them. No part is lighter than
-/// 1/250 of the whole, and all resist turning as much as an ellipsoid that reaches 1.2 times as far as their farthest joint: with a joint far out on a part that is easily turned, positions would take many rounds
+/// 1/250 of the whole or 1/8 of a part that hangs on it: a light neck under a heavy head is pulled apart in a fall. All resist turning as much as an ellipsoid that reaches 1.2 times as far as their farthest joint: with a joint far out on a part that is easily turned, positions would take many rounds
 /// to solve, and nobody sees the difference.
 /// </remarks>
 public sealed class RagdollRig
 {
     private const float MinMassFraction = 0.004f;
+    private const float MinFractionOfNext = 0.125f;
     private const float MinStoutness = 0.35f;
     private const float MinArmFraction = 1.2f;
     private readonly RagdollPart[] parts;
@@ -61,10 +62,21 @@ public sealed class RagdollRig
         }
 
         parts = new RagdollPart[owners.Count];
+        int[] above = new int[parts.Length];
+        float[] fractions = new float[parts.Length];
+        for (int i = parts.Length - 1; i >= 0; i--)
+        {
+            above[i] = i == 0 ? -1 : partOfJoint[skeleton.Parents[owners[i]]];
+            fractions[i] = Math.Max(Math.Max(masses[i].Volume / total, MinMassFraction), fractions[i]);
+            if (i > 0)
+            {
+                fractions[above[i]] = Math.Max(fractions[above[i]], MinFractionOfNext * fractions[i]);
+            }
+        }
+
         for (int i = 0; i < parts.Length; i++)
         {
-            int parent = i == 0 ? -1 : partOfJoint[skeleton.Parents[owners[i]]];
-            parts[i] = Part(skeleton, owners, masses, i, parent, total, limitOf);
+            parts[i] = Part(skeleton, owners, masses, i, above[i], fractions[i], limitOf);
         }
 
         var balls = new List<RagdollContact>();
@@ -169,10 +181,9 @@ public sealed class RagdollRig
         return size;
     }
 
-    private RagdollPart Part(Skeleton skeleton, List<int> owners, PartMass[] masses, int i, int parent, float total, Func<Joint, JointLimit> limitOf)
+    private RagdollPart Part(Skeleton skeleton, List<int> owners, PartMass[] masses, int i, int parent, float mass, Func<Joint, JointLimit> limitOf)
     {
         int joint = owners[i];
-        float mass = Math.Max(masses[i].Volume / total, MinMassFraction);
         Vector3 centre = masses[i].Centre;
         Vector3 inertia = masses[i].Inertia(MinStoutness, mass, MinArmFraction * Arm(skeleton, owners, centre, i));
         if (parent < 0)

@@ -83,10 +83,7 @@ internal static class LandingRange
         return place + new Vector3(away.X, 0f, away.Z);
     }
 
-    /// <summary>The place that a foot below its body goes to instead of one farther in or out than its leg takes.</summary>
-    /// <param name="leg">Its leg.</param>
-    /// <param name="place">Under the ball, model space.</param>
-    public static Vector3 Beside(LegRig leg, Vector3 place)
+    private static Vector3 Beside(LegRig leg, Vector3 place)
     {
         float inward = leg.Side == Side.Left ? -1f : 1f;
         float home = inward * (leg.Home.X - leg.HipRest.X);

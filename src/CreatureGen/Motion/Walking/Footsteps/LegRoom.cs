@@ -26,7 +26,7 @@ internal struct LegRoom
     /// <summary>How far a folded leg raises it at most.</summary>
     private const float MaxRaise = 0.35f;
 
-    private const float LateralDrop = 0.08f;
+    private const float LateralDrop = 0.05f;
 
     /// <summary>Part of a swing in which its leg stops drawing the body down.</summary>
     private const float LettingGo = 0.25f;

@@ -15,10 +15,6 @@ internal static class FootPoser
     /// <summary>Share of a swing's height that is left when the creature hardly moves.</summary>
     private const float MinLift = 0.35f;
 
-    /// <summary>Part of a swing in which a foot that would be too far in or out comes to where its leg takes it, and part at its end in which it goes on to where it comes down.</summary>
-    private const float Leaving = 0.35f;
-    private const float Arriving = 0.2f;
-
     /// <summary>Height at which a foot that an act takes has left the ground wholly, leg lengths.</summary>
     private const float TakenHeight = 0.02f;
 
@@ -47,12 +43,6 @@ internal static class FootPoser
             foot.Path.End = to;
             float r = StepPhase.Along(u);
             from += (to - from) * r;
-            if (!leg.Lateral)
-            {
-                // Where it left the ground stays behind, and in a hard turn or beside a platform aside.
-                from = Vec.Lerp(from, LandingRange.Beside(leg, from), Scalar.Smooth(u / Leaving) * Scalar.Smooth((1f - u) / Arriving));
-            }
-
             heading = UnitRotation.Nlerp(heading, Rotation.Multiply(inverse, foot.Plan.To.Heading), r);
             normal = Vec.Normalize(Vec.Lerp(normal, Rotation.Rotate(inverse, foot.Plan.To.Normal), Scalar.Smooth(u)), Vector3.UnitY);
             foot.Path.Over = way.Rise(r);

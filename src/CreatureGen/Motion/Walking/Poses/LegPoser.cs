@@ -26,9 +26,6 @@ internal sealed class LegPoser
     /// <summary>How high it is carried over something from which on it does so wholly, leg lengths.</summary>
     private const float WhollyOver = 0.08f;
 
-    /// <summary>How far in the ground the limits of hip and knee would leave a foot in the air from which on it is wholly under its hip instead, leg lengths.</summary>
-    private const float WhollyUnder = 0.12f;
-
     private readonly LeggedBody body;
     private readonly RestRotations turns;
 
@@ -168,17 +165,7 @@ internal sealed class LegPoser
         if (!Aim(leg, parts, carrier, goal, local, out solved))
         {
             Vector3 away = foot.Path.Away;
-            float height = Vec.Dot(away, pose.Target - hip) - (foot.Path.Lift - foot.Path.Over);
-            limit.Bend(leg, parts, goal, away, height, ref solved);
-            float low = (height - Vec.Dot(away, LegSolver.EndOf(leg, parts, solved))) * (1f - limit.Standing) * (1f - limit.Arriving);
-            if (low > 0f)
-            {
-                // Its knee comes to its end as well: rather than into the ground the foot goes under the hip.
-                Vector3 rest = leg.Parts.Upper + leg.Shank;
-                Aim(leg, parts, carrier, goal with { Chord = new Vector3(rest.X, chord.Y, rest.Z) }, local, out LegRotations under);
-                solved.Blend(under, Scalar.Smooth(low / (WhollyUnder * leg.Length)), leg.Hinge);
-            }
-
+            limit.Bend(leg, parts, goal, away, Vec.Dot(away, pose.Target - hip) - (foot.Path.Lift - foot.Path.Over), ref solved);
             if (limit.Arriving > 0f)
             {
                 // It will stand where it comes down: with the leg as it then is.
