@@ -63,15 +63,11 @@ internal sealed class CollapsingMesh : IDisposable
         {
             int p = points[c];
             onlyVertex[p] = onlyVertex[p] == int.MaxValue || onlyVertex[p] == vertices[c] ? vertices[c] : -1;
-
-            // Where it does not end the points after this one are those before it.
-            marks[p] += points[Next(c)] - points[Previous(c)];
         }
 
-        for (int p = 0; p < marks.Length; p++)
+        for (int p = 0; p < open.Length; p++)
         {
-            open[p] = marks[p] != 0;
-            marks[p] = 0;
+            open[p] = EndsAround(p);
         }
 
         saved = new SavedArrays(points, vertices, gone);
@@ -309,6 +305,27 @@ internal sealed class CollapsingMesh : IDisposable
         Triangles--;
     }
 
+    /// <summary>Whether the surface ends at an edge to a point: where it does not, every neighbour after it in one triangle is before it in another.</summary>
+    private bool EndsAround(int point)
+    {
+        ReadOnlySpan<int> ring = corners.Of(point);
+        foreach (int c in ring)
+        {
+            bool goesOn = false;
+            for (int i = 0; i < ring.Length && !goesOn; i++)
+            {
+                goesOn = points[Previous(ring[i])] == points[Next(c)];
+            }
+
+            if (!goesOn)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
     /// <summary>The drawn vertex that a triangle has at a point, −1 when it has none there.</summary>
     /// <param name="corner">One of its other corners.</param>
     /// <param name="point">The point.</param>
@@ -369,7 +386,7 @@ internal sealed class CollapsingMesh : IDisposable
         {
             int x = points[Next(c)];
             int y = points[Previous(c)];
-            if (((x == a && y == b) || (x == b && y == a)))
+            if ((x == a && y == b) || (x == b && y == a))
             {
                 return true;
             }

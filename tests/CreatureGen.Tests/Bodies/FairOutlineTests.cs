@@ -1,10 +1,10 @@
 using System;
-using System.Collections.Generic;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
 using CreatureGen.Sampling;
 using CreatureGen.Species;
+using CreatureGen.Tests.Sampling;
 using Xunit;
 
 namespace CreatureGen.Tests.Bodies;
@@ -24,7 +24,7 @@ public sealed class FairOutlineTests
     [Fact]
     public void Mixed_swimmers_have_no_corners_between_the_shoulder_and_the_tail()
     {
-        foreach ((CreatureBlueprint creature, BodyShape shape) in Drawn(RequestedKind.Swimming))
+        foreach ((CreatureBlueprint creature, BodyShape shape) in DrawnShapes.Of(RequestedKind.Swimming, CreatureOptions.Default.Strangeness, First, Count))
         {
             if (SpeciesCatalogue.Find(creature.Body.Blend.First).Disc.Sweep == 0)
             {
@@ -33,15 +33,6 @@ public sealed class FairOutlineTests
                 Assert.True(belly < SharpestBelly, FormattableString.Invariant($"{creature.Seed}: a corner of {belly:0} degrees in its belly"));
                 Assert.True(back < SharpestBack, FormattableString.Invariant($"{creature.Seed}: a corner of {back:0} degrees in its back"));
             }
-        }
-    }
-
-    private static IEnumerable<(CreatureBlueprint Creature, BodyShape Shape)> Drawn(RequestedKind kind)
-    {
-        for (ulong seed = First; seed < First + Count; seed++)
-        {
-            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = kind });
-            yield return (creature, BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail));
         }
     }
 

@@ -53,6 +53,16 @@ public sealed class CollapsingMeshTests
         Assert.False(TryCollapse(mesh, 1, 2));
     }
 
+    /// <summary>The numbers of what comes after the point in one triangle and before it in the other add up to the same.</summary>
+    [Fact]
+    public void All_neighbours_are_told_of_a_point_where_two_open_fans_meet()
+    {
+        Vector3[] points = { new(0, 0, 0), new(1, 0, 0), default, new(-1, 0, -1), new(1, 0, 1), default, new(-1, 0, 0) };
+        int[] corners = { 0, 1, 4, 0, 6, 3 };
+        var mesh = new CollapsingMesh(points, Outwards(points), (int[])corners.Clone(), (int[])corners.Clone());
+        Assert.Equal([1, 3, 4, 6], mesh.Neighbours(0).ToArray().Order());
+    }
+
     [Fact]
     public void A_step_that_turns_a_triangle_over_is_refused()
     {

@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
@@ -36,7 +35,7 @@ public sealed class FaceFitTests
     {
         int faces = 0;
         int up = 0;
-        foreach ((CreatureBlueprint creature, BodyShape shape) in Drawn(kind, 0.6))
+        foreach ((CreatureBlueprint creature, BodyShape shape) in DrawnShapes.Of(kind, 0.6, First, Count))
         {
             if (SpeciesCatalogue.Find(creature.Body.Blend.Face).Class != AnimalClass.Arthropod)
             {
@@ -54,7 +53,7 @@ public sealed class FaceFitTests
     {
         int faces = 0;
         int level = 0;
-        foreach ((CreatureBlueprint creature, BodyShape shape) in Drawn(RequestedKind.Walking, 0.6))
+        foreach ((CreatureBlueprint creature, BodyShape shape) in DrawnShapes.Of(RequestedKind.Walking, 0.6, First, Count))
         {
             if (SpeciesCatalogue.Find(creature.Body.Blend.Face).Class != AnimalClass.Arthropod && (PlanTraits.IsAboveLegs(creature.Plan) || creature.Plan is BodyPlan.Theropod or BodyPlan.Upright))
             {
@@ -71,7 +70,7 @@ public sealed class FaceFitTests
     [Fact]
     public void The_face_of_another_body_on_a_swimmer_is_not_its_blunt_end()
     {
-        foreach ((CreatureBlueprint creature, BodyShape shape) in Drawn(RequestedKind.Swimming, 1))
+        foreach ((CreatureBlueprint creature, BodyShape shape) in DrawnShapes.Of(RequestedKind.Swimming, 1, First, Count))
         {
             if (IsOfAnother(creature))
             {
@@ -86,7 +85,7 @@ public sealed class FaceFitTests
     [InlineData(RequestedKind.Swimming)]
     public void The_head_of_another_body_is_neither_a_board_nor_a_knob(RequestedKind kind)
     {
-        foreach ((CreatureBlueprint creature, BodyShape shape) in Drawn(kind, 1))
+        foreach ((CreatureBlueprint creature, BodyShape shape) in DrawnShapes.Of(kind, 1, First, Count))
         {
             if (IsOfAnother(creature))
             {
@@ -95,15 +94,6 @@ public sealed class FaceFitTests
                 Assert.True(breadth <= FlattestHead, FormattableString.Invariant($"{kind} {creature.Seed}: a head of {breadth:0.00} heights' breadth"));
                 Assert.True(size >= SmallestHead, FormattableString.Invariant($"{kind} {creature.Seed}: a head of {size:0.00} trunks"));
             }
-        }
-    }
-
-    private static IEnumerable<(CreatureBlueprint Creature, BodyShape Shape)> Drawn(RequestedKind kind, double strangeness)
-    {
-        for (ulong seed = First; seed < First + Count; seed++)
-        {
-            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = kind, Strangeness = strangeness });
-            yield return (creature, BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail));
         }
     }
 

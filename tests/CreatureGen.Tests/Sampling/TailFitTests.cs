@@ -172,7 +172,7 @@ public sealed class TailFitTests
     public void The_abdomen_of_a_mixed_insect_is_no_thicker_than_its_trunk()
     {
         int abdomens = 0;
-        foreach ((CreatureBlueprint creature, BodyShape shape) in Drawn(RequestedKind.Flying))
+        foreach ((CreatureBlueprint creature, BodyShape shape) in DrawnShapes.Of(RequestedKind.Flying, 1, First, Count))
         {
             if (SpeciesCatalogue.Find(creature.Body.Blend.Bodies[0].Name).Class == AnimalClass.Arthropod && creature.Tail.Style == TailStyle.Plain)
             {
@@ -189,7 +189,7 @@ public sealed class TailFitTests
     public void A_tail_that_rolls_up_is_no_rod_over_the_back()
     {
         int tails = 0;
-        foreach ((CreatureBlueprint creature, BodyShape shape) in Drawn(RequestedKind.Walking))
+        foreach ((CreatureBlueprint creature, BodyShape shape) in DrawnShapes.Of(RequestedKind.Walking, 1, First, Count))
         {
             if (creature.Tail.Style == TailStyle.Prehensile && creature.Plan != BodyPlan.Upright)
             {
@@ -208,7 +208,7 @@ public sealed class TailFitTests
     {
         int tails = 0;
         int level = 0;
-        foreach ((CreatureBlueprint creature, BodyShape shape) in Drawn(RequestedKind.Flying))
+        foreach ((CreatureBlueprint creature, BodyShape shape) in DrawnShapes.Of(RequestedKind.Flying, 1, First, Count))
         {
             bool haired = creature.Manes.Any(mane => mane.Ring >= StationRing.TorsoLast);
             if (creature.Plan == BodyPlan.Flapping && !haired && creature.Tail.Style is TailStyle.Plain or TailStyle.Saurian or TailStyle.Whip or TailStyle.Paddle
@@ -283,15 +283,6 @@ public sealed class TailFitTests
                 double back = shape.Z[StationRing.TorsoLast] - shape.Z[BodyGrid.Rings - 1];
                 Assert.True(down <= back, FormattableString.Invariant($"{seed}: a tail that comes down by {down / back:0.00} of what it goes back"));
             }
-        }
-    }
-
-    private static IEnumerable<(CreatureBlueprint Creature, BodyShape Shape)> Drawn(RequestedKind kind)
-    {
-        for (ulong seed = First; seed < First + Count; seed++)
-        {
-            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = kind, Strangeness = 1 });
-            yield return (creature, BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail));
         }
     }
 
