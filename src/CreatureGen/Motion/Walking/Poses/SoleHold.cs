@@ -38,15 +38,14 @@ internal static class SoleHold
         pose.MoveBy(Rotation.Rotate(state.Path.Heading, state.Leg.Turned.Away) * kept);
     }
 
-    /// <summary>Takes a foot that stands turned to where what of its sole is down stays.</summary>
+    /// <summary>Takes a foot that stands turned to where what of its sole is down stays, however the ground slants; not one that follows its leg.</summary>
     /// <param name="leg">Whose.</param>
     /// <param name="state">Its state.</param>
     /// <param name="pose">Where the leg has to bring the foot.</param>
     public static void Keep(LegRig leg, ref Foot state, ref FootPose pose)
     {
         ref TurnedFoot turned = ref state.Leg.Turned;
-        float held = SoleEdge.Weight(leg, state.Path.Normal);
-        if (!turned.Stood || held == 0f)
+        if (!turned.Stood || leg.Follows)
         {
             return;
         }
@@ -55,7 +54,7 @@ internal static class SoleHold
         Vector3 normal = Rotation.Rotate(inverse, state.Path.Normal);
         Vector3 way = turned.Ball - Rotation.Rotate(inverse, pose.Ball - state.Path.Base);
         way -= Down(leg, normal, turned, Rotation.Multiply(inverse, pose.Foot), Rotation.Multiply(inverse, pose.Toes));
-        Vector3 away = turned.Away + ((way - (normal * Vec.Dot(normal, way))) * held);
+        Vector3 away = turned.Away + way - (normal * Vec.Dot(normal, way));
         float most = Farthest * leg.Length;
         away *= most / Math.Max(Vec.Length(away), most);
         pose.MoveBy(Rotation.Rotate(state.Path.Heading, away - turned.Away));

@@ -110,4 +110,15 @@ public sealed class StanceSlipTests
         CourseReport report = course.Run(profile);
         Assert.True(report.StanceSlip < 0.005f, $"a stance slips by {report.StanceSlip}");
     }
+
+    /// <summary>A theropod and a sprawler whose ankles do not lie down on slopes: on ground steeper than 4° their feet turned about their middle, whatever edge of them was down, and slipped by 4 % of a leg.</summary>
+    [Theory]
+    [InlineData(13800040UL)]
+    [InlineData(13800273UL, Explicit = true)]
+    public void Feet_that_their_ankles_turn_stay_where_they_stand_on_hills_too(ulong seed)
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        CourseReport report = MotionCourse.Of(profile).Single(course => course.Ground == CourseGround.Rough).Run(profile);
+        Assert.True(report.StanceSlip < 0.01f, $"{seed}: a stance slips by {report.StanceSlip}");
+    }
 }

@@ -1,0 +1,64 @@
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion;
+using CreatureGen.Motion.Modes;
+using CreatureGen.Motion.Walking.Footsteps;
+using CreatureGen.Sampling;
+using Xunit;
+
+namespace CreatureGen.Tests.Motion.Walking.Footsteps;
+
+public sealed class PlatformRideTests
+{
+    private const float Rate = 60f;
+
+    /// <summary>A theropod that runs on a platform that turns away under it as it goes farther out: in the air its body was left behind by up to a leg, and its feet came down in the ground.</summary>
+    [Fact]
+    public void Who_runs_on_a_platform_goes_over_it_as_over_ground_that_rests()
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(9920010, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        var input = new MotionInput(Speed: profile.Gaits!.TopSpeed);
+        var still = new CreatureAnimator(profile);
+        var taken = new CreatureAnimator(profile);
+        var lift = new Lift();
+        still.Teleport(RootPlace.Identity, FlatGround.Level);
+        taken.Teleport(RootPlace.Identity, lift);
+        int aloft = 0;
+        for (int i = 1; i <= 4 * Rate; i++)
+        {
+            float seconds = i / Rate;
+            lift.Place = new RootPlace(new Vector3(1.5f, 0.4f, -0.3f) * seconds, AxisRotation.Yaw(0.3f * seconds));
+            still.Update(1f / Rate, input, FlatGround.Level);
+            taken.Update(1f / Rate, input, lift);
+            aloft += taken.Foot(0).Phase == FootPhase.Swing && taken.Foot(1).Phase == FootPhase.Swing ? 1 : 0;
+        }
+
+        float apart = Vec.Distance(lift.Place.ToModel(taken.Root.Position), still.Root.Position);
+        Assert.True(aloft > 20, $"{aloft} updates in the air");
+        Assert.True(apart < 0.05f * profile.LegLength, $"{apart / profile.LegLength} legs from where it is on ground that rests");
+    }
+
+    [Fact]
+    public void Feet_in_the_air_take_a_body_along_only_where_none_stands()
+    {
+        var lift = new Lift();
+        var feet = new Foot[2];
+        for (int i = 0; i < 2; i++)
+        {
+            var place = new Foothold { Platform = 7, Heading = Quaternion.Identity, Normal = Vector3.UnitY };
+            place.Attach(lift);
+            feet[i].Plan.From = place;
+            feet[i].Plan.To = place;
+        }
+
+        feet[0].Plan.Phase = FootPhase.Swing;
+        feet[1].Plan.Phase = FootPhase.Stance;
+        feet[1].Plan.From.Platform = 0;
+        lift.Place = new RootPlace(Vector3.UnitX, Quaternion.Identity);
+        Assert.Equal(Vector3.Zero, PlatformRide.Carry(feet, RootPlace.Identity, lift, Vector3.UnitY).Position);
+
+        feet[1] = feet[0];
+        lift.Place = new RootPlace(2f * Vector3.UnitX, Quaternion.Identity);
+        Assert.Equal(Vector3.UnitX, PlatformRide.Carry(feet, RootPlace.Identity, lift, Vector3.UnitY).Position);
+    }
+}
