@@ -27,6 +27,8 @@ internal static class PlatformRide
             ref Foot foot = ref feet[i];
             var from = Ride.Of(ref foot.Plan.From, moving, up);
             var to = Ride.Of(ref foot.Plan.To, moving, up);
+            foot.Plan.Wanted += to.Way;
+            foot.Plan.Sought += to.Way;
             if (foot.Phase == FootPhase.Stance)
             {
                 standing.Add(from, 1f);
@@ -45,11 +47,13 @@ internal static class PlatformRide
     private struct Ride
     {
         private Vector3 before;
-        private Vector3 way;
         private float yaw;
 
         /// <summary>How many there are.</summary>
         public float Weight { get; private set; }
+
+        /// <summary>Sum of how far, world space.</summary>
+        public Vector3 Way { get; private set; }
 
         /// <summary>Takes a place along with its platform.</summary>
         public static Ride Of(ref Foothold place, IMovingGround ground, Vector3 up)
@@ -58,13 +62,13 @@ internal static class PlatformRide
             Quaternion heading = place.Heading;
             place.Follow(ground);
             Quaternion turn = Rotation.Multiply(place.Heading, Rotation.Inverse(heading));
-            return new Ride { before = before, way = place.Position - before, yaw = 2f * Vec.Dot(new Vector3(turn.X, turn.Y, turn.Z), up) * (turn.W < 0f ? -1f : 1f) };
+            return new Ride { before = before, Way = place.Position - before, yaw = 2f * Vec.Dot(new Vector3(turn.X, turn.Y, turn.Z), up) * (turn.W < 0f ? -1f : 1f) };
         }
 
         public void Add(in Ride other, float weight)
         {
             before += other.before * weight;
-            way += other.way * weight;
+            Way += other.Way * weight;
             yaw += other.yaw * weight;
             Weight += weight;
         }
@@ -74,7 +78,7 @@ internal static class PlatformRide
         {
             Quaternion turn = Rotation.FromAxisAngle(up, yaw / Weight);
             Vector3 away = frame.Position - (before / Weight);
-            return new RootPlace(frame.Position + (way / Weight) + (Rotation.Rotate(turn, away) - away), Rotation.Normalize(Rotation.Multiply(turn, frame.Rotation)), frame.Scale);
+            return new RootPlace(frame.Position + (Way / Weight) + (Rotation.Rotate(turn, away) - away), Rotation.Normalize(Rotation.Multiply(turn, frame.Rotation)), frame.Scale);
         }
     }
 }

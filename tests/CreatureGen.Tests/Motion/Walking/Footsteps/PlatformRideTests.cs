@@ -61,4 +61,21 @@ public sealed class PlatformRideTests
         lift.Place = new RootPlace(2f * Vector3.UnitX, Quaternion.Identity);
         Assert.Equal(Vector3.UnitX, PlatformRide.Carry(feet, RootPlace.Identity, lift, Vector3.UnitY).Position);
     }
+
+    /// <summary>What a swing goes by stayed where it was in the world: feet came down a part of a leg aside, where their hips ended.</summary>
+    [Fact]
+    public void Where_a_swing_goes_is_taken_along_with_all_that_is_known_of_it()
+    {
+        var lift = new Lift();
+        var feet = new Foot[1];
+        feet[0].Plan.Phase = FootPhase.Swing;
+        feet[0].Plan.To = new Foothold { Platform = 7, Heading = Quaternion.Identity, Normal = Vector3.UnitY, Position = Vector3.UnitZ };
+        feet[0].Plan.To.Attach(lift);
+        (feet[0].Plan.Wanted, feet[0].Plan.Sought) = (Vector3.UnitZ, Vector3.UnitZ);
+        lift.Place = new RootPlace(Vector3.UnitX, Quaternion.Identity);
+        PlatformRide.Carry(feet, RootPlace.Identity, lift, Vector3.UnitY);
+        Assert.Equal(Vector3.UnitX + Vector3.UnitZ, feet[0].Plan.To.Position);
+        Assert.Equal(feet[0].Plan.To.Position, feet[0].Plan.Wanted);
+        Assert.Equal(feet[0].Plan.To.Position, feet[0].Plan.Sought);
+    }
 }
