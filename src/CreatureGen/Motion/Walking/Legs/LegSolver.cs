@@ -207,6 +207,32 @@ internal static class LegSolver
         return new Vector3(target.X * fraction, target.Y, target.Z * fraction);
     }
 
+    /// <summary>Where a leg out to the side reaches for whose foot in the air is nearer to its hip than it folds: past the hip on its outer side at the same height. Straight away from the hip, as one that stands, it would whirl about that as the foot passes under it, and be kept in the ground by its limits.</summary>
+    /// <param name="leg">At rest.</param>
+    /// <param name="carrier">Turn of the trunk at its hip from rest.</param>
+    /// <param name="chord">From the hip to the foot.</param>
+    public static Vector3 Outside(LegRig leg, Quaternion carrier, Vector3 chord)
+    {
+        float level = (chord.X * chord.X) + (chord.Z * chord.Z);
+        float wanted = (leg.FoldedReach * leg.FoldedReach) - (chord.Y * chord.Y);
+        if (wanted <= level)
+        {
+            return chord;
+        }
+
+        Vector3 side = Rotation.Rotate(carrier, leg.Side == Anatomy.Side.Left ? Vector3.UnitX : -Vector3.UnitX);
+        Vector3 outward = Vec.Normalize(new Vector3(side.X, 0f, side.Z), Vector3.UnitX);
+        float along = (chord.Z * outward.X) - (chord.X * outward.Z);
+        Vector3 past = (outward * (float)Math.Sqrt(wanted - (along * along))) + (new Vector3(-outward.Z, 0f, outward.X) * along);
+
+        // All the way outside within half of that distance; none of it at the whole.
+        float distance = (float)Math.Sqrt(wanted);
+        float near = (float)Math.Sqrt(level) / distance;
+        Vector3 away = Vec.Normalize(new Vector3(chord.X, 0f, chord.Z), outward) * distance;
+        Vector3 way = Vec.Normalize(Vec.Lerp(away, past, Scalar.Smooth(2f * (1f - near))), outward) * distance;
+        return new Vector3(way.X, chord.Y, way.Z);
+    }
+
     /// <summary>Where the solved parts end, from the hip.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3 EndOf(LegRig leg, in LegSegments parts, in LegRotations solved) => Rotation.Rotate(solved.Thigh, parts.Upper) + Rotation.Rotate(solved.Shank, leg.Shank);

@@ -84,7 +84,7 @@ internal readonly struct HipLimit
     /// <param name="leg">Whose.</param>
     public float Laid(LegRig leg) => !leg.FlatFoot ? 0f : leg.Lateral ? Held : 1f;
 
-    /// <summary>Part of its place on an edge of its sole that a foot takes: all of it on the ground, less and less before and after, no more of it in the air than it had on the ground, and none where an act holds it.</summary>
+    /// <summary>Part of its place on an edge of its sole that a foot takes: all of it on the ground, less and less before and after, and, under its body, no more of it in the air than it had on the ground and none where an act holds it.</summary>
     /// <param name="leg">Whose.</param>
     /// <param name="foot">Its foot.</param>
     /// <param name="excess">How far its joints keep it from lying on the ground as it should, about half the angle in radians.</param>
@@ -92,7 +92,7 @@ internal readonly struct HipLimit
     {
         if (leg.Lateral)
         {
-            return 1f;
+            return Held;
         }
 
         return raised ? Math.Max(Arriving, Math.Min(foot.Leg.Relaxation / excess, 1f) * Standing) : 1f - foot.Path.Aloft;

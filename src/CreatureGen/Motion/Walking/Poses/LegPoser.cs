@@ -161,8 +161,9 @@ internal sealed class LegPoser
         }
 
         HipLimit limit = HipLimit.Of(foot);
-        var goal = new LegGoal(chord, foot.Path.Heading, limit.Slack, limit.Tolerance);
-        if (!Aim(leg, parts, carrier, goal, local, out solved))
+        var goal = new LegGoal(leg.Lateral && foot.Phase == FootPhase.Swing ? LegSolver.Outside(leg, carrier, chord) : chord, foot.Path.Heading, limit.Slack, limit.Tolerance);
+        bool bent = !Aim(leg, parts, carrier, goal, local, out solved);
+        if (bent)
         {
             Vector3 away = foot.Path.Away;
             limit.Bend(leg, parts, goal, away, Vec.Dot(away, pose.Target - hip) - (foot.Path.Lift - foot.Path.Over), ref solved);
@@ -176,6 +177,10 @@ internal sealed class LegPoser
 
             SetHip(leg, carrier, solved, local);
             SetKnee(leg, solved, local);
+        }
+
+        if (bent || goal.Chord != chord)
+        {
             solved.Residual = Vec.Distance(LegSolver.EndOf(leg, parts, solved), chord);
         }
 

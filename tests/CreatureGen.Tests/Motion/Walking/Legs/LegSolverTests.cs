@@ -169,6 +169,33 @@ public sealed class LegSolverTests
         return least;
     }
 
+    [Fact]
+    public void A_foot_in_the_air_that_passes_under_its_hip_is_led_past_it_on_the_outer_side_little_by_little()
+    {
+        int checkedLegs = 0;
+        foreach (LegRig leg in new MotionProfile(Walkers.Of(CreatureGen.Anatomy.BodyPlan.Sprawling, 3)).Legs!.Legs)
+        {
+            float outward = leg.Side == CreatureGen.Anatomy.Side.Left ? 1f : -1f;
+            float low = 0.6f * leg.FoldedReach;
+            Vector3? last = null;
+            for (int i = -100; i <= 100; i++)
+            {
+                // Back to front, under the hip and a little inward of it.
+                var chord = new Vector3(-0.05f * outward * leg.FoldedReach, -low, 0.01f * i * leg.FoldedReach);
+                Vector3 led = LegSolver.Outside(leg, Quaternion.Identity, chord);
+                bool isNear = Vec.Length(chord) < leg.FoldedReach;
+                Assert.Equal(chord.Y, led.Y, Tolerance);
+                Assert.True(isNear ? Math.Abs(Vec.Length(led) - leg.FoldedReach) < Tolerance : led == chord, $"{chord} is led to {led}");
+                Assert.True(Vec.Length(chord) > 0.8f * leg.FoldedReach || led.X * outward > 0f, $"{chord} is led inward, to {led}");
+                Assert.True(last is not Vector3 before || Vec.Distance(before, led) < 0.1f * leg.FoldedReach, $"{chord} is led to {led}, {last} before");
+                last = led;
+                checkedLegs++;
+            }
+        }
+
+        Assert.True(checkedLegs > 0);
+    }
+
     /// <summary>A leg at rest with its thigh swung by an angle.</summary>
     private static LegRotations Held(LegRig leg, float angle)
     {
