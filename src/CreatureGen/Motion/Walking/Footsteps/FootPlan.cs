@@ -72,6 +72,14 @@ internal struct FootPlan
     /// <summary>By how much it missed its place then, metres.</summary>
     public float Missed;
 
+    /// <summary>Takes what its swing goes by along with the ground that it goes to.</summary>
+    /// <param name="way">How far that has moved, world space.</param>
+    public void TakeAlong(Vector3 way)
+    {
+        Wanted += way;
+        Sought += way;
+    }
+
     /// <summary>Lets the stance go on with the cycle; a foot that sits out goes back to the middle of its stance and is taken up again there.</summary>
     /// <param name="seconds">That have passed.</param>
     /// <param name="stance">Progress of the stance by the cycle.</param>

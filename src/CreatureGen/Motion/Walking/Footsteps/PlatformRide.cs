@@ -27,8 +27,7 @@ internal static class PlatformRide
             ref Foot foot = ref feet[i];
             var from = Ride.Of(ref foot.Plan.From, moving, up);
             var to = Ride.Of(ref foot.Plan.To, moving, up);
-            foot.Plan.Wanted += to.Way;
-            foot.Plan.Sought += to.Way;
+            foot.Plan.TakeAlong(to.Way);
             if (foot.Phase == FootPhase.Stance)
             {
                 standing.Add(from, 1f);
