@@ -54,6 +54,48 @@ public class FlankTests
         Assert.Empty(wrong);
     }
 
+    /// <summary>They stayed on their legs with their heads up, and looked tired.</summary>
+    [Theory]
+    [InlineData(BodyPlan.Sprawling)]
+    [InlineData(BodyPlan.Hexapod, Explicit = true)]
+    [InlineData(BodyPlan.ManyLegged, Explicit = true)]
+    public void Who_dies_with_its_legs_out_to_the_sides_lies_on_its_back_with_its_feet_up_and_stands_again(BodyPlan plan)
+    {
+        List<string> wrong = [];
+        int turnedOver = 0;
+        for (ulong seed = 1; seed <= 4; seed++)
+        {
+            var profile = new MotionProfile(Walkers.Of(plan, seed));
+            ActAbility ability = profile.Acts.Find("Die");
+            if (!ability.Act.Needs.HasFlag(ActNeeds.Back))
+            {
+                continue;
+            }
+
+            turnedOver++;
+            var animator = new CreatureAnimator(profile);
+            animator.Teleport(animator.Root, FlatGround.Level);
+            int chest = profile.Subject.Skeleton.IndexOf("Chest");
+            float stood = animator.ModelPose.Positions[chest].Y;
+            Vector3 left = LeftOf(animator, chest);
+            animator.Perform(ability);
+            Walkers.Run(animator, ability.SecondsToLast, Rate, default, FlatGround.Level);
+            float turned = (float)Math.Acos(Scalar.Clamp(Vec.Dot(left, LeftOf(animator, chest)), -1f, 1f));
+            bool feetUp = profile.Legs!.Legs.All(leg => animator.ModelPose.Positions[leg.Ball].Y > animator.ModelPose.Positions[leg.Hip].Y);
+            float lowest = profile.Fall.Value.Support.Lowest(animator.Root, animator.ModelPose, Vector3.UnitY, FlatGround.Level) / profile.Fall.Value.Ragdoll.Size;
+            animator.GoOn();
+            Walkers.Run(animator, ability.Seconds - ability.SecondsToLast + 0.5f, Rate, default, FlatGround.Level);
+            float again = animator.ModelPose.Positions[chest].Y / stood;
+            if (!(turned > 2.5f && feetUp && lowest is > -0.02f and < 0.015f && again is > 0.95f and < 1.05f))
+            {
+                wrong.Add(FormattableString.Invariant($"{seed}: turned by {turned:0.00}, feet up {feetUp}, {lowest:0.000} of its size above the ground, chest at {again:0.00} of its height afterwards"));
+            }
+        }
+
+        Assert.Empty(wrong);
+        Assert.InRange(turnedOver, 1, 4);
+    }
+
     /// <summary>A hind foot was lifted past its hip as the body went over, and its ball turned by 490 rad/s. What hangs on springs is not posed, and gives way at once where the head presses it to the ground.</summary>
     [Theory]
     [InlineData("Die")]

@@ -5,6 +5,7 @@ using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Anatomy.Legs;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Acts.Data;
 using CreatureGen.Motion.Subjects;
 using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Motion.Walking.Legs;
@@ -58,6 +59,7 @@ internal sealed class ActBody
             HindFeet = Pair(legs, 0);
         }
 
+        LyingSide = legs != null && Array.Exists(legs.Legs, leg => leg.Row == 0 && leg.Lateral) ? LyingSide.Back : LyingSide.Flank;
         Has = PartsOf();
         Skin = BonePoints.Of(subject);
         TurnedChain[] feelers = Array.ConvertAll(RootsOf(JointRole.Antenna), root => new TurnedChain(Skeleton, Joints(JointRole.Antenna).Where(joint => Hangs(joint, root)).ToArray()));
@@ -73,6 +75,7 @@ internal sealed class ActBody
         TailSkin = Skin.Of(joint => Hangs(joint, Tail.Count > 0 ? Tail.Joints[0] : -1));
         ArmSkins = Array.ConvertAll(Arms, arm => Skin.Of(joint => Hangs(joint, arm.Joints[1])));
         BearingSkin = Skin.Of(joint => !Hangs(joint, Bearers.Length > 0 ? Bearers[0] : -1) && !Hangs(joint, Tail.Count > 0 ? Tail.Joints[0] : -1) && !Array.Exists(Arms, arm => Hangs(joint, arm.Joints[1])));
+        NeckSkin = Skin.Of(joint => joint != Head && Array.IndexOf(Bearers, joint) >= 0);
         FeetFromMiddle = legs == null ? Array.Empty<float>() : Array.ConvertAll(legs.Legs, leg => Skin.Of(joint => Hangs(joint, leg.Ankle)).FromMiddle(Skeleton, leg.Side));
         Tools = new ActTools(subject, Head, Jaw, Arms, Tail, BallsOf(ForeFeet), BallsOf(HindFeet));
     }
@@ -183,6 +186,12 @@ internal sealed class ActBody
     /// <summary>The same of trunk and legs: what a body lies on.</summary>
     public BonePoints BearingSkin { get; }
 
+    /// <summary>The same of the neck without the head: a body on its back lies on it, too.</summary>
+    public BonePoints NeckSkin { get; }
+
+    /// <summary>Where it comes to lie when it rolls over: on its back if its legs are out to the sides.</summary>
+    public LyingSide LyingSide { get; }
+
     /// <summary>Seconds in which acts reckon: √(unit / gravity).</summary>
     public float TimeUnit(float gravity) => (float)Math.Sqrt(Unit / gravity);
 
@@ -267,7 +276,7 @@ internal sealed class ActBody
         Add(ActNeeds.Lids, Joints(JointRole.Lid).Length > 0);
         Add(ActNeeds.Sting, Subject.HasSting && Tail.Count > 0);
         Add(ActNeeds.Abdomen, Legs is { HasAbdomen: true } && Tail.Count > 0);
-        Add(ActNeeds.Flanks, Legs != null && Build != BodyBuild.Upright && !SpreadWings.Of(Subject));
+        Add(LyingSide == LyingSide.Back ? ActNeeds.Back : ActNeeds.Flanks, Legs != null && Build != BodyBuild.Upright && !SpreadWings.Of(Subject));
         return has;
 
         void Add(ActNeeds part, bool there) => has |= there ? part : ActNeeds.None;

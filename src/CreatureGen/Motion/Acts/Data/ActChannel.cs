@@ -150,7 +150,7 @@ public enum ActChannel
     /// <summary>All other legs folded in the same way.</summary>
     HindFold,
 
-    /// <summary>The body rolled over onto the flank of the act's side, with its legs: 0 on its belly, 1 where it comes to rest.</summary>
+    /// <summary>The body rolled over onto the flank of the act's side, with its legs, or onto its back where these are out to the sides: 0 on its belly, 1 where it comes to rest.</summary>
     OnFlank,
 
     /// <summary>What the act strikes or eats with, on its way to the target: 0 where the other channels have it, 1 there.</summary>

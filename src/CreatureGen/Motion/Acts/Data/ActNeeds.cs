@@ -42,6 +42,9 @@ public enum ActNeeds
     /// <summary>The abdomen of an insect.</summary>
     Abdomen = 1024,
 
-    /// <summary>Flanks to lie on: a body that is not upright, without spread wings beside it.</summary>
+    /// <summary>Flanks to lie on: a body that is not upright, on legs below it, without spread wings beside it.</summary>
     Flanks = 2048,
+
+    /// <summary>A back to lie on: a body with its legs out to the sides, without spread wings.</summary>
+    Back = 4096,
 }

@@ -82,7 +82,20 @@ internal static class Postures
             new ActPhase("gather", 2.6f).To(OnFlank, 0.2f).To(ForeDown, 0.9f).To(HindDown, 0.97f).To(ForeFold, 0.9f).To(HindFold, 1f).To(ForeFeetPitch, 0f).To(HindFeetPitch, 0f).To(NeckPitch, 0f).To(NeckSide, -0.1f).To(HeadSide, 0f).To(TailSide, 0.2f),
             new ActPhase("lift", 2.4f).To(OnFlank, 0f).To(ForeDown, 0.5f).To(HindDown, 0.5f).To(ForeFold, 0.4f).To(HindFold, 0.4f).To(NeckPitch, -0.2f).To(NeckSide, 0f).To(TailSide, 0f).To(ArmsAhead, 0f),
             new ActPhase("rise", 2.6f).To(ForeDown, 0f).To(HindDown, 0f).To(ForeFold, 0f).To(HindFold, 0f).To(NeckPitch, 0f).To(Lids, 0f).To(Jaw, 0f).To(Ears, 0f))
-            .Needing(ActNeeds.Legs | ActNeeds.Flanks).For(BodyBuild.Pawed | BodyBuild.Hoofed | BodyBuild.Columnar | BodyBuild.TwoLegged).OnTheSpot(),
+            .Needing(ActNeeds.Legs | ActNeeds.Flanks).For(BodyBuild.Pawed | BodyBuild.Hoofed | BodyBuild.Columnar | BodyBuild.TwoLegged | BodyBuild.ManyLegged).OnTheSpot(),
+        new Act("Die", ActKind.Posture,
+            new ActPhase("stagger", 1.4f).To(NeckPitch, 0.35f).To(NeckSide, -0.3f).To(Lids, 0.5f).To(Jaw, 0.5f).To(Ears, 0.8f).To(TailPitch, 0.2f),
+            new ActPhase("give way", 1.1f, ActEase.In).To(ForeDown, 0.6f).To(ForeFold, 0.55f).To(HindDown, 0.5f).To(HindFold, 0.4f).To(NeckPitch, 0.1f).To(NeckSide, 0.2f).To(TailPitch, 0f),
+            new ActPhase("tip", 1.3f, ActEase.In).To(ForeDown, 0.9f).To(HindDown, 0.9f).To(ForeFold, 0.8f).To(HindFold, 0.8f).To(OnFlank, 0.15f).To(NeckPitch, 0f),
+            new ActPhase("turn over", 1.7f, ActEase.In).To(OnFlank, 0.65f).To(ForeDown, 0.7f).To(HindDown, 0.7f).To(ForeFold, 0f).To(HindFold, 0f).To(ArmsAhead, 0.5f),
+            new ActPhase("drop", 1.2f, ActEase.Out).To(OnFlank, 1f).To(Up, LyingSide.Back.AwayFromFeet).To(ForeDown, 0f).To(HindDown, 0f).To(Jaw, 0.35f).To(Ears, 0.3f),
+            new ActPhase("curl up", 2.4f, ActEase.Out).To(Up, 0.12f).To(ForeFeetPitch, 0.5f).To(HindFeetPitch, 0.5f).To(NeckSide, 0.4f).To(HeadSide, 0.2f).To(TailSide, 0.4f).To(Lids, 0.8f),
+            new ActPhase("still", 5f).Lasting(),
+            new ActPhase("turn back", 2.2f).To(OnFlank, 0.4f).To(Up, 0f).To(ForeDown, 0.7f).To(HindDown, 0.7f).To(ForeFeetPitch, 0f).To(HindFeetPitch, 0f).To(NeckSide, 0f).To(HeadSide, 0f).To(TailSide, 0f),
+            new ActPhase("gather", 1.4f).To(OnFlank, 0f).To(ForeDown, 0.9f).To(HindDown, 0.9f).To(ForeFold, 1f).To(HindFold, 1f),
+            new ActPhase("lift", 1.8f).To(ForeDown, 0.5f).To(HindDown, 0.5f).To(ForeFold, 0.4f).To(HindFold, 0.4f).To(ArmsAhead, 0f),
+            new ActPhase("rise", 2.2f).To(ForeDown, 0f).To(HindDown, 0f).To(ForeFold, 0f).To(HindFold, 0f).To(NeckPitch, 0f).To(Lids, 0f).To(Jaw, 0f).To(Ears, 0f))
+            .Needing(ActNeeds.FourLegs | ActNeeds.Back).For(BodyBuild.Sprawling | BodyBuild.ManyLegged).OnTheSpot(),
         new Act("Die", ActKind.Posture,
             new ActPhase("stagger", 1.4f).To(NeckPitch, 0.35f).To(NeckSide, -0.3f).To(Lids, 0.5f).To(Jaw, 0.5f).To(Ears, 0.8f).To(TailPitch, 0.2f),
             new ActPhase("give way", 1.1f, ActEase.In).To(ForeDown, 0.52f).To(ForeFold, 0.55f).To(HindDown, 0.46f).To(HindFold, 0.4f).To(NeckPitch, 0.2f).To(NeckSide, 0f).To(TailPitch, 0f),
@@ -127,7 +140,7 @@ internal static class Postures
 
     /// <summary>Over onto the flank, legs stretched out.</summary>
     private static ActPhase OntoFlank(string name, float duration, ActEase ease) =>
-        new ActPhase(name, duration, ease).To(OnFlank, 1f).To(ForeDown, Flank.Down).To(HindDown, Flank.Down).To(ForeFold, 0f).To(HindFold, 0f).To(ForeFeetPitch, Flank.ToesDown).To(HindFeetPitch, Flank.ToesDown);
+        new ActPhase(name, duration, ease).To(OnFlank, 1f).To(ForeDown, LyingSide.Flank.Down).To(HindDown, LyingSide.Flank.Down).To(ForeFold, 0f).To(HindFold, 0f).To(ForeFeetPitch, LyingSide.ToesDown).To(HindFeetPitch, LyingSide.ToesDown);
 
     private static Act Lying(string name, ActPhase[] phases) => new Act(name, ActKind.Posture, phases).Needing(ActNeeds.Legs).OnTheSpot();
 

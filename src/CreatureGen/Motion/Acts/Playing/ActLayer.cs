@@ -4,6 +4,7 @@ using CreatureGen.Anatomy;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Acts.Bodies;
+using CreatureGen.Motion.Acts.Data;
 using CreatureGen.Motion.Modes;
 using CreatureGen.Motion.Toolkit;
 using CreatureGen.Motion.Walking.Legs;
@@ -27,6 +28,12 @@ internal sealed class ActLayer
 
     /// <summary>How far feet come to the middle below a body on its flank, parts of the way.</summary>
     private const float Together = 0.7f;
+
+    /// <summary>How far a body that rolls over onto its back is over when legs out to the sides are drawn in whole: it would climb over them.</summary>
+    private const float DrawnIn = 0.15f;
+
+    /// <summary>How far out from their hips feet of a body on its back stay, parts of the leg.</summary>
+    private const float Outside = 0.15f;
 
     private readonly ActBody body;
     private readonly FoldedLegs folded;
@@ -62,6 +69,9 @@ internal sealed class ActLayer
             return;
         }
 
+        float over = Math.Min(Math.Abs(values[(int)ActChannel.OnFlank]), 1f);
+        bool onBack = body.LyingSide == LyingSide.Back;
+        float drawnIn = onBack ? Scalar.Smooth(over / DrawnIn) : 0f;
         float unit = body.Unit;
         float fore = values[(int)ActChannel.ForeDown];
         float hind = values[(int)ActChannel.HindDown];
@@ -70,7 +80,7 @@ internal sealed class ActLayer
         Trunk.Way = new Vector3(side * values[(int)ActChannel.Aside], values[(int)ActChannel.Up], values[(int)ActChannel.Ahead]) * unit;
         Trunk.Yaw = side * values[(int)ActChannel.Yaw];
         float stretched = body.Build == BodyBuild.Upright ? Scalar.Clamp(values[(int)ActChannel.ForeFold], 0f, 1f) : 0f;
-        Trunk.Pitch = values[(int)ActChannel.Pitch] - bow - (stretched * folded.Tip);
+        Trunk.Pitch = values[(int)ActChannel.Pitch] - bow - (Math.Max(stretched, drawnIn) * folded.Tip);
         Trunk.Roll = side * values[(int)ActChannel.Roll];
 
         // Folded legs let the chest down to the ground by itself, be it higher than the belly or not.
@@ -84,20 +94,19 @@ internal sealed class ActLayer
         Lift(body.ForeFeet, side < 0f, values, ActChannel.ForeFeetUp, ActChannel.ForeFootUp);
         Lift(body.HindFeet, side < 0f, values, ActChannel.HindFeetUp, ActChannel.HindFootUp);
         Loose = 1f;
-        float over = Math.Min(Math.Abs(values[(int)ActChannel.OnFlank]), 1f);
         for (int leg = 0; leg < Trunk.Feet.Length; leg++)
         {
             bool isFore = body.Legs.Rows > 1 && body.Legs.Legs[leg].Row == body.Legs.Rows - 1;
             float lifted = Scalar.Smooth(Trunk.Feet[leg].Way.Y / (Unfolded * body.Legs.Legs[leg].Length));
-            float fold = Scalar.Clamp(values[(int)(isFore ? ActChannel.ForeFold : ActChannel.HindFold)], 0f, 1f) * (1f - lifted);
+            float fold = Scalar.Clamp(values[(int)(isFore ? ActChannel.ForeFold : ActChannel.HindFold)], 0f, 1f) * (1f - lifted) * (1f - drawnIn);
             if (fold > 0f || stretched > 0f)
             {
                 folded.AddTo(ref Trunk.Feet[leg], leg, fold, stretched, over);
             }
 
-            // Legs go over with a body that rolls over, and come together so that it lies on its flank and not on them.
+            // Legs go over with a body that rolls over, and come together so that it lies on its flank, or its back, and not on them.
             bool isLower = (body.Legs.Legs[leg].Side == Side.Left) == (side * values[(int)ActChannel.OnFlank] > 0f);
-            Trunk.Feet[leg].Way.X -= over * (1f - fold) * Inward(leg, isLower);
+            Trunk.Feet[leg].Way.X -= Math.Max(over, drawnIn) * (1f - fold) * (onBack ? BelowHip(leg) : Inward(leg, isLower));
             Trunk.Feet[leg].Loose = Math.Max(Trunk.Feet[leg].Loose, over);
             Loose = Math.Min(Loose, Trunk.Feet[leg].Loose);
         }
@@ -109,6 +118,14 @@ internal sealed class ActLayer
         float home = body.Legs!.Legs[leg].Home.X;
         float together = Together * Math.Abs(home);
         return Math.Sign(home) * (isLower ? together : Math.Min(together, (2f * body.FeetFromMiddle[leg]) - together));
+    }
+
+    /// <summary>The same of a body on its back: nearly below the hip, and not past it, where a leg out to the side would have to turn round.</summary>
+    private float BelowHip(int leg)
+    {
+        LegRig rig = body.Legs!.Legs[leg];
+        float inward = Math.Abs(rig.Home.X) - Math.Abs(body.Skeleton.ModelPositions[rig.Hip].X) - (Outside * rig.Length);
+        return Math.Sign(rig.Home.X) * Math.Max(inward, 0f);
     }
 
     /// <summary>Takes a foot to its target.</summary>

@@ -26,7 +26,7 @@ internal sealed class FoldedLegs
     /// <summary>How far a trunk rolls over from its belly until it rests on its flank, radians; 0 where it would not stay there.</summary>
     public float Flank { get; set; }
 
-    /// <summary>How far a trunk tips over ahead from upright until it is level, radians.</summary>
+    /// <summary>How far a trunk tips over ahead until it is level, radians: an upright one onto its chest, another as it rolls over onto its back.</summary>
     public float Tip { get; set; }
 
     /// <summary>Whether they have been found: a body without feet that stand is brought to the ground from then on.</summary>

@@ -2,6 +2,7 @@ using System;
 using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Acts.Bodies;
+using CreatureGen.Motion.Acts.Data;
 using CreatureGen.Motion.Modes;
 using CreatureGen.Rigging;
 
@@ -265,7 +266,10 @@ internal sealed class Performer
     {
         if (layer.Loose > 0f && room.Legs.IsFound)
         {
-            float raised = -Scalar.Smooth(layer.Loose / Borne) * body.BearingSkin.Lowest(ground, model);
+            float lowest = body.BearingSkin.Lowest(ground, model);
+            float onBack = Scalar.Smooth((Math.Abs(over) - LyingSide.Flank.Farthest) / (MathF.PI - LyingSide.Flank.Farthest));
+            lowest += onBack > 0f ? onBack * Math.Min(0f, body.NeckSkin.Lowest(ground, model) - lowest) : 0f;
+            float raised = -Scalar.Smooth(layer.Loose / Borne) * lowest;
             local.Positions[body.Body] += new Vector3(0f, raised, 0f);
             Settled = over == 0f ? raised : 0f;
             ForwardKinematics.LocalToModel(body.Skeleton, local, model);

@@ -38,11 +38,8 @@ internal static class FoldSearch
     /// <summary>What a foot costs that its ankle does not let turn as it is asked, for each square of a radian: far beyond its limit it would come round from the other side.</summary>
     private const float TurnCost = 0.15f;
 
-    /// <summary>How far a body rolls over onto its flank, in which steps it is sought, radians, and how much higher than on its belly it may be there.</summary>
-    private const float MinFlank = 1.1f;
-    private const float MaxFlank = 1.67f;
-    private const float FlankStep = 0.05f;
-    private const float MaxRise = 1.3f;
+    /// <summary>In which steps it is sought how far a body rolls over, radians.</summary>
+    private const float TurnStep = 0.05f;
 
     // Ahead, out, up: parts of the leg; toes down, radians. Ways to begin with: where they stand, feet ahead as a sphinx, far ahead on the heels, wrists folded and hooves behind, legs out to the side.
     private static readonly float[][] beginnings = { new[] { 0f, 0f, 0f, 0f }, new[] { 0.45f, 0f, 0f, 0f }, new[] { 0.8f, 0.05f, 0.05f, -0.4f }, new[] { -0.4f, 0f, 0.05f, 1.2f }, new[] { 0.15f, 0.4f, 0f, 0.2f } };
@@ -71,24 +68,27 @@ internal static class FoldSearch
         }
     }
 
-    /// <summary>How far a body with its legs stretched out rolls over until it lies lowest: there it rests. One that would have to climb for it does not stay there.</summary>
+    /// <summary>How far a body with its legs stretched out rolls over onto its flank or its back until it lies lowest: there it rests. One that would have to climb for it does not stay there.</summary>
     private static IEnumerable<float> OnFlank(ActBody body, ActStage stage, FoldedLegs legs)
     {
-        if ((body.Has & ActNeeds.Flanks) == 0)
+        if ((body.Has & (ActNeeds.Flanks | ActNeeds.Back)) == 0)
         {
             yield break;
         }
 
+        LyingSide side = body.LyingSide;
+        legs.Tip = side == LyingSide.Back ? Elevation(body, stage) : 0f;
         var values = new float[Act.ChannelCount];
         values[(int)ActChannel.ForeDown] = values[(int)ActChannel.HindDown] = values[(int)ActChannel.ForeFold] = values[(int)ActChannel.HindFold] = 1f;
         stage.Show(values);
-        float lowest = MaxRise * Height();
-        values[(int)ActChannel.ForeDown] = values[(int)ActChannel.HindDown] = Flank.Down;
+        float lowest = side.MaxRise * Height();
+        values[(int)ActChannel.ForeDown] = values[(int)ActChannel.HindDown] = side.Down;
+        values[(int)ActChannel.Up] = side.AwayFromFeet;
         values[(int)ActChannel.ForeFold] = values[(int)ActChannel.HindFold] = 0f;
-        values[(int)ActChannel.ForeFeetPitch] = values[(int)ActChannel.HindFeetPitch] = Flank.ToesDown;
+        values[(int)ActChannel.ForeFeetPitch] = values[(int)ActChannel.HindFeetPitch] = LyingSide.ToesDown;
         values[(int)ActChannel.OnFlank] = 1f;
         float best = 0f;
-        for (float turn = MinFlank; turn < MaxFlank; turn += FlankStep)
+        for (float turn = side.Nearest; turn < side.Farthest; turn += TurnStep)
         {
             legs.Flank = turn;
             stage.Show(values);
@@ -108,12 +108,18 @@ internal static class FoldSearch
     private static IEnumerable<float> Stretched(ActBody body, ActStage stage, FoldedLegs legs)
     {
         var values = new float[Act.ChannelCount];
-        stage.Show(values);
-        Vector3 trunk = stage.Model.Positions[body.Spine[^1]] - stage.Model.Positions[body.Skeleton.Parents[body.Spine[0]]];
-        legs.Tip = (float)PortableMath.Atan2(trunk.Y, trunk.Z) - Propped;
+        legs.Tip = Elevation(body, stage) - Propped;
         values[(int)ActChannel.HindDown] = 1f;
         values[(int)ActChannel.ForeFold] = 1f;
         return Pairs(body, stage, legs.Stretched, (stretchedBeginnings, stretchedMin), values);
+    }
+
+    /// <summary>How far a trunk points up as it stands, radians.</summary>
+    private static float Elevation(ActBody body, ActStage stage)
+    {
+        stage.Show(new float[Act.ChannelCount]);
+        Vector3 trunk = stage.Model.Positions[body.Spine[^1]] - stage.Model.Positions[body.Skeleton.Parents[body.Spine[0]]];
+        return (float)PortableMath.Atan2(trunk.Y, trunk.Z);
     }
 
     private static IEnumerable<float> Folded(ActBody body, ActStage stage, FoldedLegs legs)

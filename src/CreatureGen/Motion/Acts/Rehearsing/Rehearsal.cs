@@ -112,7 +112,7 @@ internal sealed class Rehearsal
 
         if (Uses(act, ActChannel.OnFlank) && legs.Flank == 0f)
         {
-            yield return new ActAbility(act, "it would not stay on its flank", default, ends, default(ActAim), () => null);
+            yield return new ActAbility(act, "it would not stay on its flank or its back", default, ends, default(ActAim), () => null);
             yield break;
         }
 
