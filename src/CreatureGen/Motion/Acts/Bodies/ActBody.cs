@@ -276,7 +276,9 @@ internal sealed class ActBody
         Add(ActNeeds.Lids, Joints(JointRole.Lid).Length > 0);
         Add(ActNeeds.Sting, Subject.HasSting && Tail.Count > 0);
         Add(ActNeeds.Abdomen, Legs is { HasAbdomen: true } && Tail.Count > 0);
-        Add(LyingSide == LyingSide.Back ? ActNeeds.Back : ActNeeds.Flanks, Legs != null && Build != BodyBuild.Upright && !SpreadWings.Of(Subject));
+        bool rollsOver = Legs != null && Build != BodyBuild.Upright && !SpreadWings.Of(Subject);
+        Add(ActNeeds.Flanks, rollsOver && LyingSide == LyingSide.Flank);
+        Add(ActNeeds.Back, rollsOver && LyingSide == LyingSide.Back && !Subject.HasHorns);
         return has;
 
         void Add(ActNeeds part, bool there) => has |= there ? part : ActNeeds.None;

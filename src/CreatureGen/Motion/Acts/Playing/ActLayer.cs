@@ -33,7 +33,7 @@ internal sealed class ActLayer
     private const float DrawnIn = 0.15f;
 
     /// <summary>How far out from their hips feet of a body on its back stay, parts of the leg.</summary>
-    private const float Outside = 0.15f;
+    private const float Outside = 0.2f;
 
     private readonly ActBody body;
     private readonly FoldedLegs folded;

@@ -39,7 +39,7 @@ internal static class BuildNames
             (ActNeeds.Sting, "sting"),
             (ActNeeds.Abdomen, "abdomen"),
             (ActNeeds.Flanks, "flanks free of wings"),
-            (ActNeeds.Back, "back free of wings between legs out to the sides"),
+            (ActNeeds.Back, "back to lie on between legs out to the sides"),
         };
         return string.Join(" and no ", names.Where(name => (parts & name.Part) != 0).Select(name => name.Name));
     }

@@ -13,9 +13,10 @@ namespace CreatureGen.Motion.Acts.Rehearsing;
 /// <summary>Tries acts on a body before it performs them: what it lacks, how much of it its legs and the ground leave, where it reaches.</summary>
 internal sealed class Rehearsal
 {
-    /// <summary>Moments of a phase at which it is looked at, and of each cycle in which trunk or feet swing in it; and how many in a step.</summary>
+    /// <summary>Moments of a phase at which it is looked at, of each cycle in which trunk or feet swing in it, and of one in which it rolls over, on which horns and feelers sweep the ground; and how many in a step.</summary>
     private const int Moments = 7;
     private const int MomentsOfCycle = 8;
+    private const int MomentsOfRoll = 16;
     private const int MomentsOfStep = 10;
     private const double Offbeat = 0.37;
 
@@ -264,7 +265,7 @@ internal sealed class Rehearsal
         }
     }
 
-    /// <summary>Moments at which a phase is looked at: enough of them to see the ends of swings that feet or the ground bound, and one more, so that each cycle is seen at places of its own.</summary>
+    /// <summary>Moments at which a phase is looked at: enough of them to see what comes to the ground in a roll, and the ends of swings that feet or the ground bound, and one more, so that each cycle is seen at places of its own.</summary>
     private static int MomentsOf(ActPhase phase)
     {
         float cycles = 0f;
@@ -274,7 +275,8 @@ internal sealed class Rehearsal
             cycles = moves ? Math.Max(cycles, wave.Cycles) : cycles;
         }
 
-        return Math.Max(Moments, (int)(MomentsOfCycle * cycles) + 1);
+        bool rollsOver = phase.Ends.Any(end => end.Channel == ActChannel.OnFlank);
+        return Math.Max(rollsOver ? MomentsOfRoll : Moments, (int)(MomentsOfCycle * cycles) + 1);
     }
 
     private ActReach? ReachOf(Act act, ActGain gain, Vector3 usual)
