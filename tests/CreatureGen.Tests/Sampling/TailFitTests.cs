@@ -24,6 +24,11 @@ public sealed class TailFitTests
     private const double HighestRolled = 0.4;
     private const double LeastFlown = 0.05;
 
+    /// <summary>Thickest end of a tail as the tables give it, two thirds along it, and thickest tip in its thickest section (.67 and .34 of the first without the rule), and least fall of an abdomen for each unit that it goes back (level ones without it).</summary>
+    private const double ThickestEnd = 0.6;
+    private const double ThickestTip = 0.25;
+    private const double LeastAbdomen = 0.14;
+
     /// <summary>The same of a swimmer's with flukes (the least tenth is below .005 without the rule).</summary>
     private const double LeastSunk = 0.08;
 
@@ -166,6 +171,47 @@ public sealed class TailFitTests
         }
 
         Assert.InRange(abdomens, 8, 80);
+    }
+
+    [Theory]
+    [InlineData(RequestedKind.Walking)]
+    [InlineData(RequestedKind.Flying)]
+    public void A_tail_as_the_tables_give_it_runs_out(RequestedKind kind)
+    {
+        int tails = 0;
+        foreach ((CreatureBlueprint creature, BodyShape shape) in DrawnShapes.Of(kind, 0.6, First, Count))
+        {
+            if (creature.Tail.Style == TailStyle.Plain && creature.Body.Disc.Sweep == 0)
+            {
+                double largest = Largest(shape, StationRing.TailStem, StationRing.TailTip);
+                double end = Largest(shape, StationRing.TailTwoThirds, StationRing.TailTwoThirds) / largest;
+                double tip = Largest(shape, StationRing.TailTip, StationRing.TailTip) / largest;
+                Assert.True(end < ThickestEnd && tip < ThickestTip, FormattableString.Invariant($"{creature.Seed} {creature.Plan}: {end:0.00} of its thickness at two thirds, {tip:0.00} at its tip"));
+                tails++;
+            }
+        }
+
+        Assert.InRange(tails, 20, Count);
+    }
+
+    [Fact]
+    public void Four_of_five_abdomens_of_mixed_insects_come_down()
+    {
+        int abdomens = 0;
+        int level = 0;
+        foreach ((CreatureBlueprint creature, BodyShape shape) in DrawnShapes.Of(RequestedKind.Walking, 0.6, First, Count))
+        {
+            if (creature.Plan == BodyPlan.Hexapod && creature.Tail.Style == TailStyle.Plain && SpeciesCatalogue.Find(creature.Body.Blend.Bodies[0].Name).Class == AnimalClass.Arthropod)
+            {
+                double down = shape.Y[StationRing.TorsoLast] - shape.Y[StationRing.TailTip];
+                double back = shape.Z[StationRing.TorsoLast] - shape.Z[StationRing.TailTip];
+                level += down > LeastAbdomen * back ? 0 : 1;
+                abdomens++;
+            }
+        }
+
+        Assert.InRange(abdomens, 10, Count);
+        Assert.True(5 * level <= abdomens, FormattableString.Invariant($"{level} of {abdomens} are level"));
     }
 
     [Fact]

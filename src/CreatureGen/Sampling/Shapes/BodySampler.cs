@@ -38,6 +38,7 @@ internal static class BodySampler
         builder.Posture = builder.Drawn;
         builder.Slices = TailFit.Point(builder, Slices(builder));
         builder.Disc = Disc(builder);
+        builder.Slices = TailFit.RunOut(builder);
         builder.Slices = TrunkFit.Gather(builder);
         builder.Slices = FaceFit.Round(builder);
         builder.Proportions = TrunkFit.Fit(builder);

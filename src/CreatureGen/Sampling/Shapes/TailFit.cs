@@ -38,13 +38,16 @@ internal static class TailFit
     private const double TipDegrees = 22;
     private const double BalancingDegrees = 17;
 
+    /// <summary>The same of a bare tail behind an upright body, which is seen between its legs from the front where it falls further.</summary>
+    private const double UprightDegrees = 22;
+
     /// <summary>The same of a bare tail behind legs out to the side: one that rises is a round end from behind.</summary>
-    private const double TrailingDegrees = 5;
+    private const double TrailingDegrees = 9;
 
     /// <summary>The same of a bare tail of a flier: a level one is not seen from behind, and the rump is a block.</summary>
     private const double FlownDegrees = 23;
 
-    /// <summary>The same of a swimmer's with flukes, within what its spine may slope.</summary>
+    /// <summary>The same of a swimmer's with flukes or without a fin, within what its spine may slope.</summary>
     private const double FlukeDegrees = 9;
 
     // How far a tail that rolls up on a mixed body comes down before it does, degrees, behind legs under the body and behind others: one that rises from its root on is a spike over the back from behind.
@@ -54,7 +57,8 @@ internal static class TailFit
     /// <summary>The same, for its end against its root: those of fish and newts rise by themselves.</summary>
     private const double RolledLeastFall = 22;
 
-    // Most that an abdomen comes down, and how far its end bends back out: one that turns down at its end looks cut off there.
+    // Least and most that an abdomen comes down, and how far its end bends back out: a level one is a ball from behind, one that turns down at its end looks cut off there.
+    private const double LeastAbdomenDegrees = 12;
     private const double AbdomenDegrees = 19;
     private const double StraightenedDegrees = 13;
 
@@ -83,6 +87,12 @@ internal static class TailFit
     private const int LastOfTrunk = 42;
     private const int FirstOfTail = 47;
     private const int LastOfTail = 54;
+
+    // Largest section at two thirds of a tail as the tables give it and at its tip, in its largest one, and the parts of what is too much that the last slices but one and the last give way by: what ends as thick as it is before is a finger from behind.
+    private const double LargestEnd = 0.42;
+    private const double LargestTip = 0.1;
+    private const double BeforeEnd = 0.7;
+    private const double AtEnd = 1.8;
 
     /// <summary>The same of an abdomen, which is to run out instead of ending in a bulge.</summary>
     private static readonly double[] abdomen = { 0.85, 0.68, 0.5 };
@@ -140,9 +150,11 @@ internal static class TailFit
         BodyPosture drawn = builder.Posture;
         if (HasAbdomen(builder))
         {
-            double excess = Math.Max(0, Fall(builder) - Scalar.Radians(AbdomenDegrees));
+            double down = Fall(builder);
+            double excess = Math.Max(0, down - Scalar.Radians(AbdomenDegrees));
             double end = Math.Min(excess, Scalar.Radians(StraightenedDegrees));
-            return drawn with { Tail = drawn.Tail - (builder.Fitting * excess), TailBend = drawn.TailBend - (builder.Fitting * end / BodyGrid.TailBones) };
+            double lack = Math.Max(0, Scalar.Radians(LeastAbdomenDegrees) - down);
+            return drawn with { Tail = drawn.Tail + (builder.Fitting * (lack - excess)), TailBend = drawn.TailBend - (builder.Fitting * end / BodyGrid.TailBones) };
         }
 
         if (builder.Tail.Style == TailStyle.Prehensile)
@@ -183,16 +195,16 @@ internal static class TailFit
             return drawn with { Tail = drawn.Tail + Math.Max(0, Scalar.Radians(FallDegrees) - fall) };
         }
 
-        double hung = Scalar.Radians(balances ? BalancingDegrees : flown ? FlownDegrees : HungDegrees);
+        double hung = Scalar.Radians(balances ? BalancingDegrees : flown ? FlownDegrees : builder.Plan == BodyPlan.Upright ? UprightDegrees : HungDegrees);
         double tip = builder.Fitting * Scalar.Radians(TipDegrees) * hung / Scalar.Radians(HungDegrees);
         double lower = builder.Fitting * Math.Max(0, hung - fall);
         return drawn with { Tail = drawn.Tail + lower + (0.5 * tip), TailBend = drawn.TailBend - (tip / BodyGrid.TailBones) };
     }
 
-    /// <summary>Lets the tail of a swimmer with flukes fall a little: edge on they are a bar before the rump.</summary>
+    /// <summary>Lets the tail of a swimmer with flukes or without a fin fall a little: edge on flukes are a bar before the rump, and a level tail is a ring on it.</summary>
     public static void Sink(CreatureBuilder builder)
     {
-        if (builder.Tail.Style == TailStyle.Fluke)
+        if (builder.Tail.Style is TailStyle.Fluke or TailStyle.Plain && builder.Species.Disc.Sweep == 0)
         {
             double lacks = builder.Fitting * Math.Max(0, Scalar.Radians(FlukeDegrees) - Fall(builder));
             builder.Posture = builder.Posture with { Tail = builder.Posture.Tail + lacks };
@@ -211,8 +223,8 @@ internal static class TailFit
     private static bool HasAbdomen(CreatureBuilder builder) =>
         builder.Species.Class == AnimalClass.Arthropod && builder.Tail.Style == TailStyle.Plain && builder.Plan is BodyPlan.Buzzing or BodyPlan.Hexapod or BodyPlan.Flapping;
 
-    /// <summary>Whether a tail behind legs under the body is bare.</summary>
-    private static bool IsBare(CreatureBuilder builder) => PlanTraits.IsAboveLegs(builder.Plan) && IsBareEnd(builder);
+    /// <summary>Whether a tail behind legs under the body is bare, or one behind an upright body.</summary>
+    private static bool IsBare(CreatureBuilder builder) => (PlanTraits.IsAboveLegs(builder.Plan) || builder.Plan == BodyPlan.Upright) && IsBareEnd(builder);
 
     /// <summary>Whether a tail is neither rolled up nor armed, and wears no hair.</summary>
     private static bool IsBareEnd(CreatureBuilder builder)
@@ -238,12 +250,33 @@ internal static class TailFit
         for (int i = first; i < slices.Length; i++)
         {
             double end = (swims ? finless : insect ? abdomen : featherless)[i - first] * (swims && bird ? featherless[i - first] : 1);
-            double girth = Scalar.Lerp(1, end, builder.Fitting);
-            slices[i] = slices[i] with { Width = Math.Max(CommonRanges.Factor.Minimum, girth * slices[i].Width), Height = Math.Max(CommonRanges.Factor.Minimum, girth * slices[i].Height) };
+            slices[i] = Thinner(slices[i], Scalar.Lerp(1, end, builder.Fitting));
         }
 
         return new ValueList<LatticeSlice>(slices);
     }
+
+    /// <summary>The slices with a tail as the tables give it that runs out: what is left of its thickness at its end is a finger, a peg or a ball for who is behind it.</summary>
+    public static ValueList<LatticeSlice> RunOut(CreatureBuilder builder)
+    {
+        LatticeSlice[] slices = builder.Slices.ToArray();
+        if (builder.Tail.Style != TailStyle.Plain || builder.Species.Disc.Sweep != 0)
+        {
+            return builder.Slices;
+        }
+
+        BodyShape shape = StanceSampler.ShapeOf(builder);
+        double largest = Largest(shape, FirstOfTail, LastOfTail);
+        double end = Math.Min(1, LargestEnd * largest / Largest(shape, StationRing.TailTwoThirds, StationRing.TailTwoThirds));
+        double tip = Math.Min(1, LargestTip * largest / Largest(shape, LastOfTail, LastOfTail));
+        int last = slices.Length - 1;
+        slices[last - 1] = Thinner(slices[last - 1], PortableMath.Pow(end, BeforeEnd * builder.Fitting));
+        slices[last] = Thinner(slices[last], PortableMath.Pow(Math.Min(tip, PortableMath.Pow(end, AtEnd)), builder.Fitting));
+        return new ValueList<LatticeSlice>(slices);
+    }
+
+    private static LatticeSlice Thinner(LatticeSlice slice, double factor) =>
+        slice with { Width = Math.Max(CommonRanges.Factor.Minimum, factor * slice.Width), Height = Math.Max(CommonRanges.Factor.Minimum, factor * slice.Height) };
 
     /// <summary>Whether the tail of one on two or four legs under its body hangs so steeply that it is seen between them from the front, or that of a flier like one leg more.</summary>
     public static bool HangsBetweenLegs(CreatureBuilder builder)
