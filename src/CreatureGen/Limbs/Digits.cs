@@ -22,6 +22,9 @@ internal static class Digits
     /// <summary>Splay of the toes of a foot that trails in the water, relative to that of one that stands.</summary>
     private const float Closed = 0.75f;
 
+    /// <summary>How far long toes under a body are turned out, in their splay: straight ahead they hold the legs apart like a wishbone.</summary>
+    internal const float TurnedOut = 0.45f;
+
     /// <summary>Radius of a nail, in those of its toe.</summary>
     private const float NailSize = 0.85f;
 
@@ -63,6 +66,12 @@ internal static class Digits
         {
             ahead = Vec.Cross(Vector3.UnitY, side);
             ahead = Vec.Dot(ahead, end.Tangent) > 0f ? ahead : -ahead;
+        }
+
+        if (standing && form.LongToed)
+        {
+            Quaternion turn = AxisRotation.Yaw(TurnedOut * splay);
+            (side, ahead) = (Rotation.Rotate(turn, side), Rotation.Rotate(turn, ahead));
         }
 
         int[][] loops = new int[count][];

@@ -27,6 +27,9 @@ internal sealed class LegPath
     /// <summary>Share of the way out from its hip to its thigh that a tall long-toed leg gives up.</summary>
     private const float Gathering = 0.8f;
 
+    /// <summary>Share of the way from below its hip to the sagittal plane, as far as there is room, that a foot under the body of another leg is set in: straight down from the flanks four legs are those of a table from the front.</summary>
+    private const float Converging = 0.4f;
+
     // Height of a hip in distances of the foot from the sagittal plane: from the first on a leg is tall, at the second it is fully so.
     private const float Tall = 2.8f;
     private const float Tallest = 4.2f;
@@ -169,6 +172,16 @@ internal sealed class LegPath
         }
     }
 
+    /// <summary>Sets a foot of a half width in under the body.</summary>
+    private static void Converge(LegForm form, Vector3[] joints, float halfWidth)
+    {
+        float shift = Converging * Math.Max(0f, joints[joints.Length - 1].X - halfWidth);
+        for (int k = 0; k < joints.Length; k++)
+        {
+            joints[k].X -= shift * Scalar.Smooth(form.Down[k] / 0.9f);
+        }
+    }
+
     private static void SetFootDown(LegForm form, LegBlueprint leg, float thickness, Vector3[] joints, Vector2[] radii)
     {
         int last = joints.Length - 1;
@@ -179,9 +192,10 @@ internal sealed class LegPath
             {
                 FootForm foot = FootForm.Of(leg.Foot);
                 float size = thickness * (float)leg.FootSize;
-                float beside = size * form.ToeLength * (form.LongToed ? form.ToeSplay : foot.Length * Math.Min(foot.Splay * form.ToeSplay, WidestSplay));
+                float inward = (1f - Digits.TurnedOut) * form.ToeSplay;
+                float beside = size * form.ToeLength * (form.LongToed ? inward : foot.Length * Math.Min(foot.Splay * form.ToeSplay, WidestSplay));
                 float tip = form.LongToed || foot.Splay > 1f ? size * form.ToeRadius * (ToeTip + (ClawReach * (float)leg.ClawLength)) : 0f;
-                float min = (size * form.ToeLength * (form.LongToed ? form.ToeSplay : MinSplay)) + FootGap;
+                float min = (size * form.ToeLength * (form.LongToed ? inward : MinSplay)) + FootGap;
                 float halfWidth = radii[last].Y + Math.Max(min, beside + tip);
                 float shift = Math.Max(0f, halfWidth - joints[last].X);
                 if (form.LongToed && shift == 0f)
@@ -201,6 +215,10 @@ internal sealed class LegPath
                 {
                     Straighten(form, joints);
                 }
+                else
+                {
+                    Converge(form, joints, halfWidth);
+                }
             }
 
             joints[last - 1].Y = radii[last - 1].X * 0.66f;
@@ -213,6 +231,7 @@ internal sealed class LegPath
         else if (form.End is FootEnd.Hoof or FootEnd.Pad)
         {
             joints[last].Y = 0f;
+            Converge(form, joints, radii[last].Y + InnerGap);
         }
         else
         {

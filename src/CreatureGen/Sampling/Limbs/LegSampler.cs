@@ -355,15 +355,21 @@ internal sealed record LegStyle
     /// <summary>Claws of toes that have none in their species, on a mixed body: its toes are balls without.</summary>
     private const double ShortClaw = 0.6;
 
+    // Largest feet as they are drawn, those of columns, and of a mixed body those with paws and those of two legs, which balance makes larger still: larger ones are balls or as long as the leg.
+    private const double Largest = 1.65;
+    private const double LargestColumn = 1.12;
+    private const double LargestPaw = 1.38;
+    private const double LargestOfTwo = 1.2;
+
     public LegStyle(CreatureBuilder builder)
     {
         RandomStream random = builder.Stream("leg style");
         Stoutness = CreatureBuilder.Around(random, 1 + (0.05 * builder.Style), 0.08, 0.85, 1.25);
-        FootSize = CreatureBuilder.Around(random, 1.25 + (0.1 * builder.Style), 0.1, 1, builder.Plan == BodyPlan.Columnar ? 1.12 : 1.65);
+        bool soft = builder.Plan is BodyPlan.Digitigrade or BodyPlan.Plantigrade;
+        FootSize = CreatureBuilder.Around(random, 1.25 + (0.1 * builder.Style), 0.1, 1, LargestFoot(builder, soft));
         Slimness = CreatureBuilder.Around(random, builder.Plan == BodyPlan.Unguligrade ? 1.02 : 1.12, 0.1, 0.85, 1.35);
         Toes = builder.Plan is BodyPlan.Theropod or BodyPlan.ManyLegged || builder.Parents.Legs.Class == AnimalClass.Bird ? 3 : random.Integer(3, 5);
         Reach = random.Uniform(0.85, 1.15);
-        bool soft = builder.Plan is BodyPlan.Digitigrade or BodyPlan.Plantigrade;
         Foot = FootSampler.Toes(builder);
         Hooves = FootSampler.Hooves(builder);
         ClawLength = Foot == FootStyle.Talon ? random.Uniform(1.5, 2.2) : soft ? CreatureBuilder.Choose(random, (builder.Fitting > 0 ? ShortClaw : 0.0, 0.35), (0.8, 0.3), (1.3, 0.35)) : random.Chance(0.5) ? 0.9 : 1.5;
@@ -388,4 +394,11 @@ internal sealed record LegStyle
 
     /// <summary>What hooves are like.</summary>
     public FootStyle Hooves { get; init; }
+
+    private static double LargestFoot(CreatureBuilder builder, bool soft) => builder.Plan switch
+    {
+        BodyPlan.Columnar => LargestColumn,
+        BodyPlan.Theropod => Scalar.Lerp(Largest, LargestOfTwo, builder.Fitting),
+        _ => soft ? Scalar.Lerp(Largest, LargestPaw, builder.Fitting) : Largest,
+    };
 }
