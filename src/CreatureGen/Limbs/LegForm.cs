@@ -95,7 +95,7 @@ internal sealed class LegForm
 
     public float[] SideRadius { get; }
 
-    /// <summary>The form of a leg: legs that sprawl trail where they do not stand.</summary>
+    /// <summary>The form of a leg: legs out to the side trail where they do not stand.</summary>
     public static LegForm Of(LegBlueprint leg)
     {
         int kind = (int)LegKinds.Of(leg.Archetype).Archetype;

@@ -95,7 +95,7 @@ internal sealed class LegPath
         }
 
         bool laidBack = form.Arched && leg.Azimuth < LaidBack;
-        if (laidBack || form.Carried || form.Crouched || (form.Sprawling && !standing))
+        if (laidBack || form.Carried || form.Crouched || (form.Lateral && !standing))
         {
             KeepJointsOut(shape, joints, radii);
         }
@@ -111,7 +111,7 @@ internal sealed class LegPath
         if (form.Lateral)
         {
             outward = new Vector3((float)PortableMath.Cos(leg.Azimuth), 0f, (float)PortableMath.Sin(leg.Azimuth));
-            ahead = form.Sprawling ? new Vector3(0.25f, 0f, 0.97f) : Vector3.Zero;
+            ahead = form.Sprawling ? new Vector3(0.25f, 0f, 0.97f) : Vector3.UnitZ;
         }
 
         var joints = new Vector3[form.Rows];

@@ -56,7 +56,7 @@ internal static class LimbRigger
         LimbArchetype archetype = leg.Archetype!.Value;
         LegOutline outline = LegKinds.Of(archetype).Outline;
         Vector3 hip = leg.Joints[0];
-        Vector3 hinge = outline.Sprawling && !leg.Stands ? TrailingHinge(leg) : outline.Lateral ? LateralHinge(leg) : Vec.Normalize(Vec.Reject(Vector3.UnitX, Vec.Normalize(leg.Joints[2] - hip, -Vector3.UnitY)), Vector3.UnitX);
+        Vector3 hinge = outline.Lateral && !leg.Stands ? TrailingHinge(leg) : outline.Lateral ? LateralHinge(leg) : Vec.Normalize(Vec.Reject(Vector3.UnitX, Vec.Normalize(leg.Joints[2] - hip, -Vector3.UnitY)), Vector3.UnitX);
 
         // The girdle sits half way in from the hip, so that its bone has a direction; it only slides.
         var girdle = new Vector3(hip.X / 2f, hip.Y, hip.Z);

@@ -11,7 +11,7 @@ using Xunit;
 
 namespace CreatureGen.Tests.Limbs;
 
-/// <summary>Legs as they are seen from the front.</summary>
+/// <summary>Legs as they are seen from the front, and as they are carried in the air.</summary>
 public sealed class LegStanceTests
 {
     private const ulong First = 14010001;
@@ -37,6 +37,29 @@ public sealed class LegStanceTests
         List<double> two = Ratios(hip => hip.Y, LimbArchetype.Theropod, LimbArchetype.Bird);
         Assert.InRange(two.Count, 5, 8 * Count);
         Assert.True(two.Average() < Bipeds, FormattableString.Invariant($"{two.Average():0.00} of the hips' height, {two.Count} legs"));
+    }
+
+    [Fact]
+    public void Legs_of_an_insect_that_hovers_are_drawn_up_and_trail()
+    {
+        int legs = 0;
+        for (ulong seed = 13900007; legs < 12; seed++)
+        {
+            CreatureBlueprint flier = BlueprintSampler.Sample(seed, LocomotionKind.Flying);
+            if (!flier.Legs.Any(leg => leg.Archetype == LimbArchetype.Insect && leg.Stance == LegStance.Hanging))
+            {
+                continue;
+            }
+
+            Creature creature = CreatureGenerator.Build(flier);
+            foreach (LimbChain leg in creature.Limbs.Where(limb => limb.Archetype == LimbArchetype.Insect && limb.Side == Side.Left))
+            {
+                Vector3 At(int joint) => creature.Skeleton.ModelPositions[leg.Joints[joint]];
+                Assert.True(At(2).Y > At(1).Y, $"{seed}: a knee below its hip");
+                Assert.True(At(4).Z < At(2).Z && At(2).X - At(4).X < 0.5f * (At(2).X - At(1).X), $"{seed}: a shank that hangs straight down or under the body");
+                legs++;
+            }
+        }
     }
 
     private static List<double> Ratios(Func<Vector3, float> unit, params LimbArchetype[] archetypes)

@@ -58,5 +58,28 @@ internal static class InsectLeg
         flight: new LegFlight(
             tucked: new LegPosture(hip: 0.70, knee: -1.30, ankle: 0.70, ball: 0.50),
             hanging: new LegPosture(hip: 0.60, knee: -1.05, ankle: 0.60, ball: 0.40),
-            reaching: new LegPosture(hip: -0.05, knee: -0.15, ankle: 0, ball: 0)));
+            reaching: new LegPosture(hip: -0.05, knee: -0.15, ankle: 0, ball: 0)))
+    {
+        // As it is carried in the air: the knee drawn up beside the body, the shank laid back below it.
+        Trailing = new LegOutline(FootEnd.Point)
+        {
+            KneeRow = 3,
+            AnkleRow = 6,
+            BallRow = 7,
+            Lateral = true,
+            Jointed = true,
+            Rows = new LegSection[]
+            {
+                new() { Forward = 0, Down = 0, Outward = 0, ForeRadius = 1000, SideRadius = 1000 },
+                new() { Forward = -30, Down = -40, Outward = 300, ForeRadius = 720, SideRadius = 720 },
+                new() { Forward = -110, Down = -220, Outward = 660, ForeRadius = 620, SideRadius = 620 },
+                new() { Forward = -200, Down = -320, Outward = 930, ForeRadius = 440, SideRadius = 440 },
+                new() { Forward = -320, Down = -230, Outward = 1040, ForeRadius = 380, SideRadius = 380 },
+                new() { Forward = -580, Down = 110, Outward = 1100, ForeRadius = 400, SideRadius = 400 },
+                new() { Forward = -830, Down = 440, Outward = 1130, ForeRadius = 260, SideRadius = 260 },
+                new() { Forward = -1050, Down = 680, Outward = 1150, ForeRadius = 180, SideRadius = 180 },
+                new() { Forward = -1150, Down = 770, Outward = 1150, ForeRadius = 160, SideRadius = 160 },
+            },
+        },
+    };
 }

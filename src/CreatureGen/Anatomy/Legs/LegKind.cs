@@ -21,7 +21,7 @@ internal sealed record LegKind
     /// <summary>How it looks.</summary>
     public LegOutline Outline { get; }
 
-    /// <summary>How it looks where it hangs and trails in the water; null for the same.</summary>
+    /// <summary>How it looks where it hangs and trails in the water or in the air; null for the same.</summary>
     public LegOutline? Trailing { get; init; }
 
     /// <summary>How it fits the body.</summary>

@@ -43,7 +43,10 @@ internal sealed class FlightLegs
         LimbArchetype archetype = chain.Limb.Archetype ?? LimbArchetype.Arm;
         LegKind kind = LegKinds.Of(archetype);
         LegFlight flight = kind.Flight;
-        (tucked, hanging, reaching) = (flight.Tucked, flight.Hanging, flight.Reaching);
+
+        // What is built as it trails is held so already.
+        bool trails = kind.Trailing != null && !chain.Limb.Stands;
+        (tucked, hanging, reaching) = trails ? default : (flight.Tucked, flight.Hanging, flight.Reaching);
         lateral = kind.Outline.Lateral;
         (raise, trailing) = kind.Outline.Arched ? (RaisedKnees, TrailingShanks) : (LoweredKnees, 0);
         Vector3 thigh = chain.Points[2] - chain.Points[1];
