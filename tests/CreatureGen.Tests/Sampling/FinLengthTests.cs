@@ -3,6 +3,7 @@ using CreatureGen.Anatomy;
 using CreatureGen.Anatomy.Fins;
 using CreatureGen.Blueprints;
 using CreatureGen.Sampling;
+using CreatureGen.Sampling.Placement;
 using Xunit;
 
 namespace CreatureGen.Tests.Sampling;
@@ -39,6 +40,14 @@ public sealed class FinLengthTests
     [InlineData(1)]
     public void No_mixed_swimmer_rows_with_slabs(double strangeness) =>
         Assert.All(Pairs(strangeness), fin => Assert.InRange(fin.Length * fin.Width, 0, Deepest));
+
+    [Fact]
+    public void A_plan_that_may_have_a_fin_on_its_back_has_one_on_a_mixed_body()
+    {
+        Assert.Equal(new CountRange(1, 1), FinAnatomy.Whale.WithDorsal().Dorsals);
+        Assert.Same(FinAnatomy.Fish, FinAnatomy.Fish.WithDorsal());
+        Assert.Same(FinAnatomy.Flipper, FinAnatomy.Flipper.WithDorsal());
+    }
 
     private static FinBlueprint[] Pairs(double strangeness) => Enumerable.Range(9990001, 60)
         .SelectMany(seed => BlueprintSampler.Sample((ulong)seed, CreatureOptions.Default with { Kind = RequestedKind.Swimming, Strangeness = strangeness }).Fins)

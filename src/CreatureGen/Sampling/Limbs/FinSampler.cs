@@ -75,7 +75,9 @@ internal static class FinSampler
             return;
         }
 
-        SwimmingPlacement placement = SwimmingRules.Place(LegSampler.Measure(builder), FinAnatomy.Of(builder.Plan), builder.Sockets, builder.Seed.Child("swimmer"));
+        // A mixed body without a fin on its back is a sausage from the side.
+        FinAnatomy anatomy = FinAnatomy.Of(builder.Plan);
+        SwimmingPlacement placement = SwimmingRules.Place(LegSampler.Measure(builder), builder.Fitting > 0 ? anatomy.WithDorsal() : anatomy, builder.Sockets, builder.Seed.Child("swimmer"));
         double hang = random.Uniform(0.25, 0.6);
         double sweep = random.Uniform(0.4, 0.8);
         foreach (FinPlacement fin in placement.Fins)

@@ -113,6 +113,9 @@ internal sealed record FinAnatomy(
         flippers,
         new[] { new TailChoice(TailStyle.Plain, 1) });
 
+    /// <summary>The same with a fin on the back wherever the plan may have one.</summary>
+    public FinAnatomy WithDorsal() => Dorsals.Max > 0 && Dorsals.Min == 0 ? this with { Dorsals = new CountRange(1, Dorsals.Max) } : this;
+
     /// <summary>The fins of a swimming plan.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The plan is not one of a swimmer.</exception>
     public static FinAnatomy Of(BodyPlan plan) => plan switch
