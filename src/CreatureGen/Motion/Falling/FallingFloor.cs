@@ -11,6 +11,7 @@ internal sealed class FallingFloor : IGround
     private IGround? ground;
     private float above;
     private float below;
+    private bool endless = true;
 
     /// <summary>Lays the plane alone, with nothing near it.</summary>
     /// <param name="place">A point of it.</param>
@@ -20,18 +21,31 @@ internal sealed class FallingFloor : IGround
         point = place;
         up = normal;
         ground = null;
+        endless = true;
     }
 
-    /// <summary>Lays the plane.</summary>
+    /// <summary>Lays the plane, and on it the ground that rises above it.</summary>
     /// <param name="place">A point of it.</param>
     /// <param name="normal">Unit, away from the ground.</param>
     /// <param name="real">The ground that is there.</param>
     /// <param name="highest">How far above the plane that counts, metres.</param>
-    /// <param name="lowest">How far below.</param>
-    public void Lay(Vector3 place, Vector3 normal, IGround real, float highest, float lowest)
+    public void Lay(Vector3 place, Vector3 normal, IGround real, float highest)
     {
-        above = highest;
-        below = lowest;
+        Meet(place, normal, real, highest);
+        below = 0f;
+        endless = true;
+    }
+
+    /// <summary>Lays nothing but the ground that is there: who lands stands on it.</summary>
+    /// <param name="place">Where it meets the ground.</param>
+    /// <param name="normal">Unit, away from the ground.</param>
+    /// <param name="real">The ground.</param>
+    /// <param name="step">How far above and below the place it counts, metres.</param>
+    public void Meet(Vector3 place, Vector3 normal, IGround real, float step)
+    {
+        above = step;
+        below = step;
+        endless = false;
         point = place;
         up = normal;
         ground = real;
@@ -52,6 +66,6 @@ internal sealed class FallingFloor : IGround
 
         float fall = -Vec.Dot(direction, up);
         hit = new GroundHit(height > 0f && fall > 0f ? origin + (direction * (height / fall)) : origin - (up * height), up);
-        return !(height > 0f) || fall * distance >= height;
+        return endless && (!(height > 0f) || fall * distance >= height);
     }
 }

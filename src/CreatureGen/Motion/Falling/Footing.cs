@@ -1,6 +1,5 @@
 using System;
 using System.Numerics;
-using CreatureGen.Maths;
 using CreatureGen.Motion.Walking;
 using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Motion.Walking.Footsteps;
@@ -17,9 +16,6 @@ internal struct Footing
     private const float Above = 0.8f;
     private const float Below = 0.9f;
 
-    /// <summary>How far the body may be beyond its feet that have ground, leg lengths.</summary>
-    private const float Overhang = 0.1f;
-
     private float lost;
 
     /// <summary>Whether a walker falls: it has had no ground for a while, and in more than one update.</summary>
@@ -31,7 +27,7 @@ internal struct Footing
     /// <param name="ground">What it is on.</param>
     public bool IsLost(LeggedBody body, WalkingMode legs, in RootPlace root, float dt, in MotionSettings settings, IGround ground)
     {
-        if (!IsMissing(body, legs, root, settings.Up, ground))
+        if (!IsMissing(body, legs, new GroundRange(root, settings.Up, ground, Above * body.LegLength, Below * body.LegLength)))
         {
             lost = 0f;
             return false;
@@ -42,41 +38,28 @@ internal struct Footing
         return again && lost >= Patience * (float)Math.Sqrt(body.LegLength * root.Scale / settings.Gravity);
     }
 
-    /// <summary>Whether there is nothing below the middle, and that is not between feet that have ground.</summary>
-    private static bool IsMissing(LeggedBody body, WalkingMode legs, in RootPlace root, Vector3 up, IGround ground)
+    /// <summary>Whether there is nothing below the middle, and that is neither between feet that have ground nor between places where they find some.</summary>
+    private static bool IsMissing(LeggedBody body, WalkingMode legs, in GroundRange range)
     {
-        if (Carries(body, root, Vector3.Zero, up, ground))
+        if (range.Has(body.Middle, out _))
         {
             return false;
         }
 
-        float front = float.MinValue;
-        float rear = float.MaxValue;
-        float left = float.MinValue;
-        float right = float.MaxValue;
+        FootingSpread spread = FootingSpread.None;
         for (int i = 0; i < body.Legs.Length; i++)
         {
             ref readonly Foot foot = ref legs.Feet[i];
             bool stands = foot.Phase == FootPhase.Stance;
-            Vector3 there = root.ToModel(stands ? foot.Plan.From.Position : foot.Plan.To.Position);
-            if (Carries(body, root, there, up, ground))
+            Vector3 there = range.Root.ToModel(stands ? foot.Plan.From.Position : foot.Plan.Goal);
+            if (range.Has(there, out _))
             {
                 // Under the hip of one in the air it will be once the body has come up to it: in a leap all of them are ahead of the body, which flies on to them.
-                Vector3 then = stands ? there : body.Legs[i].Home;
-                front = Math.Max(front, Math.Max(there.Z, then.Z));
-                rear = Math.Min(rear, Math.Min(there.Z, then.Z));
-                left = Math.Max(left, Math.Max(there.X, then.X));
-                right = Math.Min(right, Math.Min(there.X, then.X));
+                spread.AddSole(body.Legs[i], there);
+                spread.Add(stands ? there : body.Legs[i].Home);
             }
         }
 
-        float over = Overhang * body.LegLength;
-        return front < -over || rear > over || left < -over || right > over;
-    }
-
-    private static bool Carries(LeggedBody body, in RootPlace root, Vector3 place, Vector3 up, IGround ground)
-    {
-        Vector3 from = root.ToWorld(new Vector3(place.X, Above * body.LegLength, place.Z));
-        return ground.Cast(from, -up, (Above + Below) * body.LegLength * root.Scale, out _);
+        return !spread.Carries(body) && !GroundNearFeet.Carries(body, range, ref spread, out _);
     }
 }

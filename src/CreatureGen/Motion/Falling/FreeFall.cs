@@ -5,6 +5,7 @@ using CreatureGen.Motion.Modes;
 using CreatureGen.Motion.Toolkit;
 using CreatureGen.Motion.Walking;
 using CreatureGen.Motion.Walking.Bodies;
+using CreatureGen.Motion.Walking.Footsteps;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Falling;
@@ -36,6 +37,9 @@ internal sealed class FreeFall
     /// <summary>How far above and below its feet ground counts that they reach for, leg lengths.</summary>
     private const float StepHeight = 0.6f;
 
+    /// <summary>How far above its root it may be that a falling body meets ground, leg lengths.</summary>
+    private const float HigherFooting = 0.2f;
+
     /// <summary>How far down the ground is looked for, leg lengths.</summary>
     private const float Lookout = 60f;
 
@@ -54,7 +58,7 @@ internal sealed class FreeFall
     private AirTurn turn;
     private float sinkRate;
     private float braking;
-    private bool pushed;
+    private bool astray;
 
     public FreeFall(LeggedBody body, FallProfile profile, WalkingMode legs)
     {
@@ -81,14 +85,14 @@ internal sealed class FreeFall
         fade.Keep(shown);
         last.Take(shown);
         flail.Begin();
-        pushed = false;
+        astray = false;
     }
 
     /// <summary>Changes its velocity, world m/s.</summary>
     public void Push(Vector3 change)
     {
         velocity += change;
-        pushed = true;
+        astray = true;
     }
 
     /// <summary>Falls on.</summary>
@@ -133,7 +137,14 @@ internal sealed class FreeFall
 
         bool down = impact > 0f;
         float step = StepHeight * body.LegLength * place.Scale;
-        floor.Lay(place.Position, up, ground, step, down ? step : 0f);
+        if (down)
+        {
+            floor.Meet(place.Position, up, ground, step);
+        }
+        else
+        {
+            floor.Lay(place.Position, up, ground, step);
+        }
 
         // As it will face when it comes down: turning, its legs would change from standing to going in the air.
         Quaternion facing = down ? place.Rotation : Rotation.Multiply(place.Rotation, AxisRotation.Yaw(turn.Left));
@@ -141,11 +152,11 @@ internal sealed class FreeFall
         legs.Sink = (float)sink.Value;
         legs.Bow = 0f;
         legs.Arrive(place, ahead.Z, ahead.Z, turn.Spin, settings, floor, flail.On(layer, tau), local);
-        if (pushed)
+        if (astray)
         {
-            // Legs that fall at another speed take another pose, and are not there at once.
+            // Legs that fall at another speed, or come down on what there is beside them, take another pose, and are not there at once.
             fade.Keep(last.Pose);
-            pushed = false;
+            astray = false;
         }
 
         fade.Apply(dt, FadeTime * tau, local);
@@ -187,25 +198,31 @@ internal sealed class FreeFall
         fade.CopyFrom(other.fade);
         last.Take(other.last.Pose);
         flail.CopyFrom(other.flail);
-        (sink, velocity, turn, sinkRate, braking, pushed) = (other.sink, other.velocity, other.turn, other.sinkRate, other.braking, other.pushed);
+        (sink, velocity, turn, sinkRate, braking, astray) = (other.sink, other.velocity, other.turn, other.sinkRate, other.braking, other.astray);
     }
 
     /// <summary>Whether the ground comes, so that legs are to be stretched to it instead of drawn up.</summary>
     private bool Reaches(in RootPlace place, float tau, in MotionSettings settings, IGround ground)
     {
-        float reach = Lookout * body.LegLength * place.Scale;
         float speed = -Vec.Dot(velocity, settings.Up);
-        if (!ground.Cast(place.Position, -settings.Up, reach, out GroundHit hit))
+        var range = new GroundRange(place, settings.Up, ground, 0f, Lookout * body.LegLength);
+        bool found = range.Has(Vector3.Zero, out float away);
+        for (int i = 0; i < body.Legs.Length && !found; i++)
+        {
+            found = range.Has(body.Legs[i].Home, out away);
+        }
+
+        if (!found)
         {
             return false;
         }
 
-        float height = Math.Max(Vec.Dot(place.Position - hit.Point, settings.Up), 0f);
+        float height = Math.Max(-away, 0f) * place.Scale;
         float time = ((float)Math.Sqrt((speed * speed) + (2f * settings.Gravity * height)) - speed) / settings.Gravity;
         return time < ReachTime * tau;
     }
 
-    /// <summary>Whether the root comes to the ground on its way.</summary>
+    /// <summary>Whether the root comes to the ground on its way, or feet do around it.</summary>
     private bool TryLand(in RootPlace from, Vector3 to, Vector3 up, IGround ground, out Vector3 landed)
     {
         landed = to;
@@ -215,13 +232,19 @@ internal sealed class FreeFall
             return false;
         }
 
-        float above = body.LegLength * from.Scale;
-        if (!ground.Cast(to + (up * (fall + (0.2f * above))), -up, fall + (0.2f * above), out GroundHit hit))
+        var range = new GroundRange(new RootPlace(to, from.Rotation, from.Scale), up, ground, (fall / from.Scale) + (HigherFooting * body.LegLength), 0f);
+        if (!range.Has(body.Middle, out float height))
         {
-            return false;
+            FootingSpread spread = FootingSpread.None;
+            if (!GroundNearFeet.Carries(body, range, ref spread, out height))
+            {
+                return false;
+            }
+
+            astray = true;
         }
 
-        landed = to + (up * Vec.Dot(hit.Point - to, up));
-        return Vec.Dot(landed - to, up) >= 0f;
+        landed = to + (up * (height * from.Scale));
+        return height >= 0f;
     }
 }

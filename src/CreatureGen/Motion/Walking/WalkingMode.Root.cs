@@ -156,7 +156,8 @@ internal sealed partial class WalkingMode
         {
             if (ticker.Begins)
             {
-                velocity.Ask(goal, aside, clock.ReachableTurn(goal, input.YawRate, settings.Gravity));
+                bool stops = Brink.IsAhead(body, placement, velocity, new Vector3(aside, 0f, goal), settings.Up, ground);
+                velocity.Ask(stops ? 0f : goal, stops ? 0f : aside, clock.ReachableTurn(stops ? 0f : goal, input.YawRate, settings.Gravity));
             }
 
             float h = ticker.Next(ref left);

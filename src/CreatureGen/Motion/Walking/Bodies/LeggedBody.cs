@@ -68,6 +68,7 @@ internal sealed class LeggedBody
         {
             StepRanges[i] = StepRange.Of(Legs[i], GoingHomes[i]);
             FarthestFoot = Math.Max(FarthestFoot, Vec.Length(GoingHomes[i]));
+            Middle += Legs[i].Home / Legs.Length;
         }
 
         LegLength = hind / rear;
@@ -136,6 +137,9 @@ internal sealed class LeggedBody
 
     /// <summary>Distance of the farthest of these places from the root, about which the body turns, metres.</summary>
     public float FarthestFoot { get; }
+
+    /// <summary>The middle of where its feet stand at rest, model space.</summary>
+    public Vector3 Middle { get; }
 
     /// <summary>Number of pairs of legs.</summary>
     public int Rows { get; }

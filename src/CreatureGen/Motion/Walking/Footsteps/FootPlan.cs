@@ -27,6 +27,9 @@ internal struct FootPlan
     /// <summary>Where a swing goes.</summary>
     public Foothold To;
 
+    /// <summary>How far that still is from the place on the ground to which it comes round, world metres.</summary>
+    public Vector3 Left;
+
     /// <summary>Where a swing would go on level ground, followed smoothly: what is asked may change in mid step. World space.</summary>
     public Vector3 Wanted;
 
@@ -78,6 +81,17 @@ internal struct FootPlan
     {
         Wanted += way;
         Sought += way;
+    }
+
+    /// <summary>The place on the ground to which a swing comes round, world space.</summary>
+    public readonly Vector3 Goal => To.Position + Left;
+
+    /// <summary>Brings a swing that no longer seeks ground the rest of the way to the place that it has found.</summary>
+    /// <param name="fraction">Share of what is left.</param>
+    public void Near(float fraction)
+    {
+        To.Position += Left * fraction;
+        Left *= 1f - fraction;
     }
 
     /// <summary>Lets the stance go on with the cycle; a foot that sits out goes back to the middle of its stance and is taken up again there.</summary>

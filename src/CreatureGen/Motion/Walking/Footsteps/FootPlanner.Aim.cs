@@ -42,14 +42,28 @@ internal sealed partial class FootPlanner
 
         foot.Plan.Wanted += moved;
         Target(leg, step, flight, step.Frame.ToModel(foot.Plan.Wanted), stance.Home, stance.Yaw, heading);
+        foot.Plan.Left = Vector3.Zero;
         if (goesOn && step.Ground is not IPlaneGround)
         {
+            Vector3 goal = foot.Plan.To.Position;
             foot.Plan.To.Approach(before, moved - (step.Up * Vec.Dot(moved, step.Up)), TakenUp(foot.Plan.Swing, flight, true, step));
+            foot.Plan.Left = goal - foot.Plan.To.Position;
         }
 
         foot.Plan.To.Attach(step.Ground as IMovingGround);
         search.Survey(step, leg, foot, ways[leg]);
         foot.Plan.Aimed = true;
+    }
+
+    /// <summary>Brings a swing whose target stays where it is to what is left of the way there.</summary>
+    private void ComeRound(int leg, in StepContext step, float flight)
+    {
+        ref FootPlan plan = ref feet[leg].Plan;
+        if (plan.Left != Vector3.Zero)
+        {
+            plan.Near(Math.Min(step.Step / Math.Max(flight, step.Step), 1f));
+            plan.To.Attach(step.Ground as IMovingGround);
+        }
     }
 
     /// <summary>How much of a change of the target is taken up in a step of time; where it is to be there by then, all by the time at which the target stays where it is.</summary>
@@ -64,27 +78,28 @@ internal sealed partial class FootPlanner
     private void Target(int leg, in StepContext step, float flight, Vector3 wanted, Vector3 home, float yaw, Quaternion heading)
     {
         ref Foot foot = ref feet[leg];
-        Foothold before = foot.Plan.To;
+        bool inWall = foot.Plan.To.InWall;
+        Vector3? before = foot.Plan.Aimed ? foot.Plan.Goal : null;
         bool seeks = !foot.Plan.Aimed || Vec.LengthSquared(foot.Plan.Wanted - foot.Plan.Sought) > Square(SeekAgain * body.Legs[leg].Length * step.Frame.Scale);
         if (!seeks)
         {
-            Place(leg, step, wanted, home, yaw, heading);
-            seeks = foot.Plan.To.InWall && !before.InWall;
+            Place(leg, step, wanted, home, yaw, before, heading);
+            seeks = foot.Plan.To.InWall && !inWall;
         }
 
         if (seeks)
         {
             foot.Plan.Shift = search.OffEdges(step, leg, foot, before, flight, wanted, home, yaw);
             foot.Plan.Sought = foot.Plan.Wanted;
-            Place(leg, step, wanted, home, yaw, heading);
+            Place(leg, step, wanted, home, yaw, before, heading);
         }
     }
 
     /// <summary>Sets a foot on the ground under a place.</summary>
-    private void Place(int leg, in StepContext step, Vector3 wanted, Vector3 home, float yaw, Quaternion heading)
+    private void Place(int leg, in StepContext step, Vector3 wanted, Vector3 home, float yaw, Vector3? before, Quaternion heading)
     {
         ref Foot foot = ref feet[leg];
-        foot.Plan.HasTarget = search.Find(step, leg, wanted, home, yaw, foot.Plan.Shift, out foot.Plan.To);
+        foot.Plan.HasTarget = search.Find(step, leg, wanted, home, yaw, foot.Plan.Shift, before, out foot.Plan.To);
         foot.Plan.To.Heading = heading;
     }
 }

@@ -232,12 +232,16 @@ internal sealed partial class FootPlanner
             return;
         }
 
+        float flight = (1f - foot.Plan.Swing) * foot.Plan.Flight;
         if (foot.Plan.Swing < StepPhase.Frozen)
         {
             // For the middle of what is left of its stance, or of the next one.
-            float flight = (1f - foot.Plan.Swing) * foot.Plan.Flight;
             float stance = Math.Max(((p < duty ? duty - p : 1f - p + duty) * cycle) - flight, 0f);
             Aim(leg, step, flight + (step.Moving ? 0.5f * stance : 0f), flight);
+        }
+        else
+        {
+            ComeRound(leg, step, flight);
         }
     }
 
@@ -269,6 +273,10 @@ internal sealed partial class FootPlanner
         if ((foot.Plan.LiftAt < 0f ? u : foot.Plan.Swing) < StepPhase.Frozen)
         {
             Aim(leg, step, ahead, flight);
+        }
+        else
+        {
+            ComeRound(leg, step, flight);
         }
     }
 
@@ -306,6 +314,7 @@ internal sealed partial class FootPlanner
         foot.Plan.ForGood = false;
         foot.Plan.Swing = 0f;
         foot.Plan.Shift = 0f;
+        foot.Plan.Left = Vector3.Zero;
         foot.Plan.Ahead = step.Moving ? 0f : foot.Plan.Ahead;
         events.Tell(MotionEventKind.FootUp, leg, step, foot.Plan.From, 0f);
     }
@@ -341,7 +350,7 @@ internal sealed partial class FootPlanner
         // It stays on the tread that it was to come down on if it is not dragged far for that. Its place is off edges already.
         Foothold meant = foot.Plan.To;
         foot.Plan.Shift = 0f;
-        Place(leg, step, step.Frame.ToModel(meant.Position) + astray, body.Legs[leg].Home, meant.YawFrom(step.Frame), meant.Heading);
+        Place(leg, step, step.Frame.ToModel(meant.Position) + astray, body.Legs[leg].Home, meant.YawFrom(step.Frame), null, meant.Heading);
         foot.Plan.To.Attach(step.Ground as IMovingGround);
         bool isNear = Vec.LengthSquared(astray) < Square(MaxDrag * body.Legs[leg].Length);
         if (!foot.Plan.HasTarget || (isNear && Math.Abs(Vec.Dot(foot.Plan.To.Position - meant.Position, meant.Normal)) > OtherTread * body.Legs[leg].Length * step.Frame.Scale))

@@ -37,12 +37,12 @@ internal sealed partial class FootingSearch
     /// <param name="step">The moment.</param>
     /// <param name="leg">Whose foot.</param>
     /// <param name="foot">That foot.</param>
-    /// <param name="before">Where it went before.</param>
+    /// <param name="before">The place on the ground to which it went before, world space; null where it has none yet.</param>
     /// <param name="flight">Seconds until it comes down.</param>
     /// <param name="wanted">Under the ball, model space; its height does not count.</param>
     /// <param name="home">Where that is under the body in the middle of the stance, model space.</param>
     /// <param name="yaw">Heading of the foot there, radians from the body's.</param>
-    public float OffEdges(in StepContext step, int leg, in Foot foot, in Foothold before, float flight, Vector3 wanted, Vector3 home, float yaw)
+    public float OffEdges(in StepContext step, int leg, in Foot foot, Vector3? before, float flight, Vector3 wanted, Vector3 home, float yaw)
     {
         if (step.Ground is IPlaneGround)
         {
@@ -54,7 +54,7 @@ internal sealed partial class FootingSearch
         Sole laid = LaidOut(shape, home, ahead);
         float length = shape.Fore + shape.Aft;
         float max = shape.Lateral ? Math.Min(length, LateralShift * shape.Length) : length;
-        float late = foot.Plan.Aimed ? LateCost * foot.Plan.Swing * foot.Plan.Swing / (shape.Length * step.Frame.Scale) : 0f;
+        float late = LateCost * foot.Plan.Swing * foot.Plan.Swing / (shape.Length * step.Frame.Scale);
         float best = 0f;
         float least = float.MaxValue;
 
@@ -82,7 +82,7 @@ internal sealed partial class FootingSearch
                 break;
             }
 
-            cost += ends + (BeyondCost * Beyond(step, shape, foot, flight, hit) / shape.Length) + (late * Vec.Distance(hit.Point, before.Position));
+            cost += ends + (BeyondCost * Beyond(step, shape, foot, flight, hit) / shape.Length) + (before is Vector3 earlier ? late * Vec.Distance(hit.Point, earlier) : 0f);
             (best, least) = cost < least ? (shift, cost) : (best, least);
         }
 

@@ -62,6 +62,9 @@ internal sealed partial class FootingSearch
         (-0.2f, 0f), (0.2f, 0f), (0f, 0.2f), (0f, -0.2f), (-0.2f, 0.2f), (0.2f, 0.2f), (-0.2f, -0.2f), (0.2f, -0.2f), (-0.4f, 0f), (0.4f, 0f), (-0.4f, 0.2f), (0.4f, 0.2f), (-0.4f, -0.2f), (0.4f, -0.2f), (-0.6f, 0f),
     };
 
+    /// <summary>How far away from where a foot wants to go it keeps to the ground that it has found, where there is nothing below; leg lengths.</summary>
+    private const float KeepsTo = 0.45f;
+
     /// <summary>Where a sole of spread toes may stand on something, of the length of its toes and half its width.</summary>
     private static readonly (float Along, float Across)[] fan = { (1f, 0.52f), (1f, -0.52f), (0.75f, SideFraction), (0.75f, -SideFraction) };
 
@@ -76,15 +79,26 @@ internal sealed partial class FootingSearch
     /// <param name="home">Where that is under the body in the middle of the stance, model space: feet turn with their legs.</param>
     /// <param name="yaw">Heading of the foot there, radians from the body's.</param>
     /// <param name="shift">Along the foot, metres: what keeps it off an edge.</param>
+    /// <param name="before">The place to which it went before, world space: it keeps to that where there is nothing below; null where it has none yet.</param>
     /// <param name="place">The place; its heading is not set.</param>
     /// <returns>Whether there is ground.</returns>
-    public bool Find(in StepContext step, int leg, Vector3 wanted, Vector3 home, float yaw, float shift, out Foothold place)
+    public bool Find(in StepContext step, int leg, Vector3 wanted, Vector3 home, float yaw, float shift, Vector3? before, out Foothold place)
     {
         LegRig shape = body.Legs[leg];
         Vector3 up = step.Up;
         Vector3 ahead = Ahead(yaw);
         Vector3 target = wanted + (ahead * shift);
         bool found = Down(step, target, out GroundHit hit);
+        if (!found && before is Vector3 earlier)
+        {
+            Vector3 there = step.Frame.ToModel(earlier);
+            if (Square(there.X - wanted.X) + Square(there.Z - wanted.Z) < Square(KeepsTo * shape.Length))
+            {
+                target = there;
+                found = Down(step, target, out hit);
+            }
+        }
+
         if (!found)
         {
             for (int i = 0; i < alternatives.Length && !found; i++)
@@ -131,6 +145,8 @@ internal sealed partial class FootingSearch
 
         return true;
     }
+
+    private static float Square(float x) => x * x;
 
     /// <summary>Where a heading points; most feet point straight ahead.</summary>
     private static Vector3 Ahead(float yaw)

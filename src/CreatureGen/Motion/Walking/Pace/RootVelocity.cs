@@ -108,6 +108,17 @@ internal struct RootVelocity
         return way;
     }
 
+    /// <summary>How far it would go if it were to stop now, straight on.</summary>
+    /// <returns>Displacement in the axes at present.</returns>
+    public readonly Vector3 StoppingWay()
+    {
+        RootVelocity later = At(0f, 0f, 0f);
+        (later.ahead, later.aside, later.Bounds) = (ahead, aside, Bounds);
+        later.ahead.Ask(0f);
+        later.aside.Ask(0f);
+        return later.Advance(AtRest, out _);
+    }
+
     /// <summary>Speed ahead after a time.</summary>
     public readonly float SpeedAfter(float dt)
     {
