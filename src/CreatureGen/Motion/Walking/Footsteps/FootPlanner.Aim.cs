@@ -55,14 +55,13 @@ internal sealed partial class FootPlanner
         foot.Plan.Aimed = true;
     }
 
-    /// <summary>Brings a swing whose target stays where it is to what is left of the way there.</summary>
+    /// <summary>Brings a swing whose target stays where it is to what is left of the way there; one that moves it follows as it is.</summary>
     private void ComeRound(int leg, in StepContext step, float flight)
     {
         ref FootPlan plan = ref feet[leg].Plan;
-        if (plan.Left != Vector3.Zero)
+        if (plan.Left != Vector3.Zero && plan.To.Platform == 0)
         {
             plan.Near(Math.Min(step.Step / Math.Max(flight, step.Step), 1f));
-            plan.To.Attach(step.Ground as IMovingGround);
         }
     }
 
