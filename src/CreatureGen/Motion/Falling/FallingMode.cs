@@ -253,7 +253,7 @@ internal sealed partial class FallingMode : ILocomotionMode
     {
         var mode = (FallingMode)other;
         inner.CopyFrom(mode.inner);
-        (State, footing, goesLimp, getsUp, hasMoved, blow, drift, glide) = (mode.State, mode.footing, mode.goesLimp, mode.getsUp, mode.hasMoved, mode.blow, mode.drift, mode.glide);
+        (State, footing, goesLimp, getsUp, hasMoved, blow, drift, glide, haste) = (mode.State, mode.footing, mode.goesLimp, mode.getsUp, mode.hasMoved, mode.blow, mode.drift, mode.glide, mode.haste);
         if (mode.fall != null)
         {
             Fall.CopyFrom(mode.fall);
@@ -310,12 +310,7 @@ internal sealed partial class FallingMode : ILocomotionMode
             case BodyState.Limp:
                 return Lie(place, dt, settings, ground, local);
             case BodyState.Rising:
-                if (Up.Advance(place, dt, settings, ground, layer, local))
-                {
-                    Recover();
-                    Tell(MotionEventKind.Rose, place, settings.Up, 0f, 0f);
-                }
-
+                GoOnRising(place, dt, input, settings, ground, layer, local);
                 return place;
             default:
                 local.SetToRest(subject.Skeleton);
@@ -326,14 +321,11 @@ internal sealed partial class FallingMode : ILocomotionMode
     private RootPlace Carried(in RootPlace place, in WaterReading reading, float dt, in MotionInput input, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         MotionInput possible = water != null && inner.StandsOnFeet ? water.Wade(input, reading, place, settings) : input;
-        if (reel == null && drift.IsOver)
-        {
-            return inner.Update(place, dt, possible, settings, ground, layer, local);
-        }
-
         float tau = Tau(place.Scale, settings.Gravity);
         BodyLayer? reeling = reel == null ? layer : reel.On(layer, dt, tau);
-        return inner.Update(drift.Carry(place, dt, tau), dt, possible, settings, ground, reeling, local);
+        RootPlace next = inner.Update(drift.IsOver ? place : drift.Carry(place, dt, tau), dt, possible, settings, ground, reeling, local);
+        up?.Fade(dt, tau, local);
+        return next;
     }
 
     private RootPlace Leaping(RootPlace place, float dt, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
@@ -390,22 +382,6 @@ internal sealed partial class FallingMode : ILocomotionMode
         place = legs.Update(place, dt, asked, settings, ground, layer, local);
         Fall.Fade(dt, local);
         return place;
-    }
-
-    /// <summary>Is carried again, as if nothing had been.</summary>
-    private void Recover()
-    {
-        State = BodyState.Supported;
-        (footing, goesLimp, getsUp) = (default, false, false);
-        limp?.Stop();
-        recoil?.Stop();
-        reel?.Stop();
-        (blow, drift) = (Blow.None, default);
-        if (legs != null)
-        {
-            legs.Sink = 0f;
-            legs.Bow = 0f;
-        }
     }
 
     private void Tell(MotionEventKind kind, in RootPlace place, Vector3 up, float speed, float strength) =>

@@ -39,11 +39,21 @@ internal sealed class GettingUp
     /// <summary>How fast the joints of legs turn towards where they belong at most, radians per τ.</summary>
     private const float FastestLimb = 4f;
 
+    /// <summary>How far below where it stands its trunk is, and how far from their places its feet are, where it counts as standing; leg lengths.</summary>
+    private const float HardlyLow = 0.06f;
+    private const float HardlyAstray = 0.03f;
+
+    /// <summary>What is left of the rise dies away on the walk in this time, τ.</summary>
+    private const float FadeTime = 1.2f;
+
     private readonly FallProfile profile;
     private readonly ILocomotionMode inner;
     private readonly IRise? rising;
     private readonly LyingLimb[] drawn;
     private readonly Vector3[] ankles;
+    private readonly Vector3[] standing;
+    private readonly LocalPose last;
+    private readonly PoseFade fade;
     private readonly PoseBuffer from;
     private readonly LocalPose to;
     private readonly PoseBuffer shown;
@@ -59,6 +69,7 @@ internal sealed class GettingUp
     private float rise;
     private float elapsed;
     private float gap;
+    private float height;
     private Clearing over;
 
     public GettingUp(FallProfile profile, ILocomotionMode inner, WalkingMode? legs)
@@ -71,6 +82,9 @@ internal sealed class GettingUp
         to = new LocalPose(profile.Skeleton);
         shown = new PoseBuffer(profile.Skeleton);
         ankles = new Vector3[profile.Skeleton.Count];
+        standing = new Vector3[profile.Skeleton.Count];
+        last = new LocalPose(profile.Skeleton);
+        fade = new PoseFade(profile.Skeleton);
         goesAround = new bool[profile.Skeleton.Count];
         folded = new LocalPose(profile.Skeleton);
     }
@@ -123,6 +137,10 @@ internal sealed class GettingUp
         folded.Take(from.Local);
         to.SetToRest();
         inner.Stand(place, settings, ground, layer, to.Pose);
+        shown.Take(to.Pose);
+        shown.Finish();
+        shown.Model.Positions.CopyTo(standing);
+        this.height = profile.TrunkHeight(shown.Model);
         bool rises = rising != null && inner.IsOnFeet;
         if (rises)
         {
@@ -160,6 +178,7 @@ internal sealed class GettingUp
     public bool Advance(in RootPlace place, float dt, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         elapsed += dt;
+        Stands = false;
         if (elapsed < gather)
         {
             float part = elapsed / gather;
@@ -187,10 +206,31 @@ internal sealed class GettingUp
             GroundClearance.BendUp(profile, shown, place, settings.Up, ground);
             shown.Local.Rotations.CopyTo(local.Rotations);
             profile.Raise(local, over.OfEnds * kept);
+            Stands = kept == 0f && IsUp();
         }
 
         return u >= 1f;
     }
+
+    /// <summary>Whether it has gathered itself, and rises onto its feet.</summary>
+    public bool Rises => elapsed >= gather;
+
+    /// <summary>Whether it stands, but for what little is left of the rise: that can go on as it walks.</summary>
+    public bool Stands { get; private set; }
+
+    /// <summary>Takes note of what is shown, before it goes on.</summary>
+    public void Keep(in Pose local) => last.Take(local);
+
+    /// <summary>Leaves what is left of the rise to the walk.</summary>
+    /// <param name="dt">Seconds since the pose that was kept.</param>
+    /// <param name="local">The pose as it is shown.</param>
+    public void Leave(float dt, in Pose local) => fade.Keep(local, last.Pose, dt);
+
+    /// <summary>Lays what is left of the rise on the walk.</summary>
+    public void Fade(float dt, float tau, in Pose local) => fade.Apply(dt, FadeTime * tau, local);
+
+    /// <summary>Forgets what was left of it.</summary>
+    public void Stop() => fade.Stop();
 
     /// <summary>Goes on from where another is.</summary>
     public void CopyFrom(GettingUp other)
@@ -202,7 +242,24 @@ internal sealed class GettingUp
         rising?.CopyFrom(other.rising!);
         heave.CopyFrom(other.heave);
         other.ankles.CopyTo(ankles, 0);
+        other.standing.CopyTo(standing, 0);
+        last.Take(other.last.Pose);
+        fade.CopyFrom(other.fade);
+        (Stands, height) = (other.Stands, other.height);
         other.goesAround.CopyTo(goesAround, 0);
+    }
+
+    /// <summary>Whether its trunk is about as high as it stands, and its feet are where they stand.</summary>
+    private bool IsUp()
+    {
+        bool up = profile.TrunkHeight(shown.Model) > height - (HardlyLow * profile.Height);
+        foreach (LyingLimb limb in profile.Limbs)
+        {
+            int ankle = limb.Joints[2];
+            up &= Vec.Distance(shown.Model.Positions[ankle], standing[ankle]) < HardlyAstray * profile.Height;
+        }
+
+        return up;
     }
 
     /// <summary>Finds how high the body has to heave itself as it draws its legs in, and how high the middle of its trunk comes, metres of the model.</summary>

@@ -9,22 +9,33 @@ internal sealed class PoseFade
 {
     private readonly Skeleton skeleton;
     private readonly LocalPose shown;
+    private readonly LocalPose before;
     private readonly InertialOffset[] offsets;
     private bool begins;
     private float elapsed;
     private float duration;
+    private float step;
 
     public PoseFade(Skeleton skeleton)
     {
         this.skeleton = skeleton;
         shown = new LocalPose(skeleton);
+        before = new LocalPose(skeleton);
         offsets = new InertialOffset[skeleton.Count];
     }
 
     /// <summary>Keeps what was shown last.</summary>
-    public void Keep(in Pose local)
+    public void Keep(in Pose local) => Keep(local, local, 0f);
+
+    /// <summary>Keeps what was shown last and how it moved: that goes on and dies away.</summary>
+    /// <param name="local">Shown last.</param>
+    /// <param name="earlier">Shown before that.</param>
+    /// <param name="seconds">Between them; 0 for what did not move.</param>
+    public void Keep(in Pose local, in Pose earlier, float seconds)
     {
         shown.Take(local);
+        before.Take(earlier);
+        step = seconds;
         begins = true;
     }
 
@@ -35,8 +46,9 @@ internal sealed class PoseFade
     public void CopyFrom(PoseFade other)
     {
         shown.Take(other.shown.Pose);
+        before.Take(other.before.Pose);
         other.offsets.CopyTo(offsets, 0);
-        (begins, elapsed, duration) = (other.begins, other.elapsed, other.duration);
+        (begins, elapsed, duration, step) = (other.begins, other.elapsed, other.duration, other.step);
     }
 
     /// <summary>Lays on a pose what is left of the difference.</summary>
@@ -47,7 +59,7 @@ internal sealed class PoseFade
     {
         if (begins)
         {
-            Inertialisation.Start(shown.Pose, shown.Pose, local, local, 0f, seconds, offsets);
+            Inertialisation.Start(shown.Pose, before.Pose, local, local, step, seconds, offsets);
             begins = false;
             elapsed = 0f;
             duration = seconds;
