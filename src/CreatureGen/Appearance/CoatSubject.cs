@@ -20,6 +20,9 @@ internal sealed class CoatSubject
     /// <summary>The form of its beak; null for none, and for one that is nothing but painted.</summary>
     public BeakForm? Beak { get; set; }
 
+    /// <summary>The edges of its lips; null for a head without a mouth slit, and below a beak.</summary>
+    public MouthLine? Lips { get; set; }
+
     /// <summary>Marking of the head; <see cref="HeadMarks.FromSeed"/> chooses one.</summary>
     public HeadMark Mark { get; set; }
 

@@ -32,6 +32,15 @@ internal sealed class HeadCoat
     /// <summary>Lips of a dark face, relative to what is pale in it.</summary>
     private const float PaleLip = 0.7f;
 
+    // Lips and the line between them: breadth on either side in half widths of the muzzle, how much of that the edge takes, and shade.
+    private const float LipBreadth = 0.17f;
+    private const float LipBlur = 0.08f;
+    private const float LipShade = 0.72f;
+    private const float LineBreadth = 0.075f;
+    private const float LineBlur = 0.06f;
+    private const float LineShade = 0.3f;
+    private const float PaleLineShade = 0.75f;
+
     /// <summary>How far back the leather of a nose may reach over its bridge, relative to the nostrils.</summary>
     private const double LeatherEnd = 0.9;
 
@@ -88,17 +97,19 @@ internal sealed class HeadCoat
         colour = Vec.Lerp(colour, markColour, 0.9f * HeadMarks.At(subject.Mark, place.Ring, place.Around));
         colour = EyeRing(colour, place);
         colour = Snout(colour, place);
-        if (place.Region != SurfaceRegion.Lip)
-        {
-            return colour;
-        }
-
-        return subject.Snout == SnoutKind.Beak ? colour * 0.8f : Vec.Lerp(colour * 0.55f, paleColour * PaleLip, dark);
+        return subject.Lips is MouthLine lips ? Lips(colour, lips.DistanceOf(place)) : colour;
     }
 
     /// <summary>A colour made as light and as strong as asked for where it is less, linear RGB.</summary>
     private static Vector3 AtLeast(ColourBlueprint colour, double lightness, double chroma) =>
         OklchColour.ToLinearRgb(Math.Max(colour.Lightness, lightness), Math.Max(colour.Chroma, chroma), colour.Hue);
+
+    /// <summary>Lips are a shade darker than what is around them, and darkest along the line in which they meet.</summary>
+    private Vector3 Lips(Vector3 colour, float distance)
+    {
+        colour = Vec.Lerp(colour, Vec.Lerp(colour * LipShade, paleColour * PaleLip, dark), Scalar.Smooth((LipBreadth - distance) / LipBlur));
+        return colour * Scalar.Lerp(1f, Scalar.Lerp(LineShade, PaleLineShade, dark), Scalar.Smooth((LineBreadth - distance) / LineBlur));
+    }
 
     private Vector3 EyeRing(Vector3 colour, in SkinPlace place)
     {

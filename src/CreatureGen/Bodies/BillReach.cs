@@ -7,8 +7,9 @@ namespace CreatureGen.Bodies;
 /// <summary>How far the bills of a beak reach ahead of the first ring of a face, metres: at the least somewhat farther than its nose bulges.</summary>
 internal readonly struct BillReach
 {
-    /// <summary>Least reach of a bill, in bulges of the nose.</summary>
-    private const float Least = 1.4f;
+    // Least reach of either bill, in bulges of the nose: the upper one has to close to a tip beyond it, the lower one to cover the chin, which bulges less.
+    private const float Least = 1.9f;
+    private const float LeastBelow = 1.2f;
 
     private BillReach(float upper, float lower)
     {
@@ -25,8 +26,8 @@ internal readonly struct BillReach
     /// <summary>The reach of a beak on a face.</summary>
     public static BillReach Of(BeakBlueprint beak, BodyShape shape)
     {
-        float least = Least * MouthSlit.NoseBulge(shape);
-        float upper = Math.Max((float)beak.Length, least);
-        return new BillReach(upper, Math.Max(upper * BeakForm.Of(beak.Style).LowerLength, least));
+        float nose = MouthSlit.NoseBulge(shape);
+        float upper = Math.Max((float)beak.Length, Least * nose);
+        return new BillReach(upper, Math.Max(upper * BeakForm.Of(beak.Style).LowerLength, LeastBelow * nose));
     }
 }

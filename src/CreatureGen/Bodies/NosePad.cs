@@ -28,9 +28,11 @@ internal readonly struct NosePad
     /// <summary>How soft the edge is, in half breadths.</summary>
     private const float Edge = 0.14f;
 
-    // Where the left nostril is, in half breadths and half heights of the pad from its middle.
-    private const float NostrilAside = 0.56f;
-    private const float NostrilAbove = 0.08f;
+    /// <summary>Where the left nostril is, half widths from its middle.</summary>
+    public const float NostrilAside = 0.56f;
+
+    /// <summary>Where the nostrils are, half heights from its middle.</summary>
+    public const float NostrilAbove = 0.08f;
 
     /// <summary>The pad of a head.</summary>
     public NosePad(BodyShape shape)

@@ -57,7 +57,7 @@ internal sealed class BeakSetter
         };
         lower = new BillShape(LowerOf(grown, MouthSlit.AngleOf(mouth)), form.Lower, (float)beak.Girth)
         {
-            Root = (form.Root.Chin, form.Root.Lip - 0.3f), Length = reach.Lower, Nose = nose, Turn = -(float)beak.Hook * form.LowerLength, Lap = LowerLap, Tuck = LowerTuck,
+            Root = (form.Root.Chin, form.Root.Lip - 0.3f), Length = reach.Lower, Nose = nose, Turn = -BillShape.TurnOf((float)beak.Hook, reach, nose), Lap = LowerLap, Tuck = LowerTuck,
         };
     }
 

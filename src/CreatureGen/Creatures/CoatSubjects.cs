@@ -1,3 +1,5 @@
+using System;
+using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Anatomy.Beaks;
 using CreatureGen.Appearance;
@@ -26,6 +28,7 @@ internal static class CoatSubjects
         {
             Snout = face.Snout,
             Beak = blueprint.Head.Beak is BeakBlueprint beak ? BeakForm.Of(beak.Style) : null,
+            Lips = blueprint.Head.Beak == null && grown.Mouth.Opens ? LipsOf(grown) : null,
             Mark = face.Class == AnimalClass.Arthropod ? HeadMark.None : HeadMarks.FromSeed(blueprint.Coat.PatternSeed),
             Shell = blueprint.Body.Shell,
             Manes = blueprint.Manes,
@@ -34,6 +37,13 @@ internal static class CoatSubjects
             EyeCentre = eye.Centre,
             EyeRadius = eye.Radius,
         };
+    }
+
+    private static MouthLine LipsOf(GrownSurface grown)
+    {
+        return new MouthLine(Left(grown.Mouth.UpperLip), Left(grown.Mouth.LowerLip), grown.Mouth.CornerRing, (float)grown.Skin.Shape.Width[StationRing.MuzzleMiddle]);
+
+        Vector3[] Left(int[] lip) => Array.ConvertAll(lip.AsSpan(0, (lip.Length / 2) + 1).ToArray(), vertex => grown.Surface.Positions[vertex]);
     }
 
     /// <summary>The fine relief of a creature's skin.</summary>

@@ -18,7 +18,6 @@ namespace CreatureGen.Creatures;
 internal sealed class FeatureSetter
 {
     private static readonly Vector3 toothColour = new(0.85f, 0.82f, 0.72f);
-    private static readonly Vector3 gumColour = new(0.42f, 0.13f, 0.13f);
     private static readonly Vector3 lureColour = new(1f, 0.96f, 0.62f);
     private static readonly Vector3 combColour = new(0.46f, 0.022f, 0.026f);
     private static readonly Vector3 beadColour = new(0.012f, 0.011f, 0.012f);
@@ -116,6 +115,13 @@ internal sealed class FeatureSetter
             return;
         }
 
+        builder.Clear(SurfaceFinish.Horn);
+        NostrilSetter.AppendLeather(builder, blueprint, grown, palette);
+        if (builder.VertexCount > 0)
+        {
+            AddRigid("Head");
+        }
+
         builder.Clear();
         NostrilSetter.Append(builder, blueprint, grown, coat, beak);
         AddRigid("Head");
@@ -135,32 +141,22 @@ internal sealed class FeatureSetter
 
     private void AddTeeth()
     {
-        MouthBlueprint mouth = blueprint.Head.Mouth;
-        if (mouth.Teeth == 0 || !grown.Mouth.Opens)
+        if (blueprint.Head.Mouth.Teeth == 0 || !grown.Mouth.Opens)
         {
             return;
         }
 
-        BodyShape shape = grown.Skin.Shape;
-        float length = (float)(mouth.Teeth * shape.Width[StationRing.MuzzleMiddle] * 1.4);
-        Row(grown.Mouth.UpperLip, -shape.Up(StationRing.MuzzleFront), "Head");
-        Row(grown.Mouth.LowerLip, shape.Up(StationRing.MuzzleFront), "Jaw");
+        var teeth = new ToothSetter(blueprint, grown, normals, face.Dentition);
+        Add(Jaw.Upper, "Head");
+        Add(Jaw.Lower, "Jaw");
 
-        void Row(int[] lip, Vector3 direction, string joint)
+        void Add(Jaw jaw, string joint)
         {
-            var points = new List<SurfacePoint>();
-            for (int k = (lip.Length / 2) - 1; k > 2; k -= 2)
-            {
-                points.Add(new SurfacePoint(grown.Surface.Positions[lip[k]], normals[lip[k]]));
-            }
-
             builder.Clear();
-            GumShape.Append(builder, points.ToArray(), direction, length, gumColour);
-            builder.AppendMirrored(0, 0);
+            teeth.AppendGum(builder, jaw);
             AddRigid(joint, GumSimplificationWeight);
             builder.Clear(SurfaceFinish.Tooth);
-            ToothRow.Append(builder, points.ToArray(), direction, length, toothColour);
-            builder.AppendMirrored(0, 0);
+            teeth.AppendTeeth(builder, jaw, toothColour);
             AddRigid(joint);
         }
     }

@@ -11,19 +11,35 @@ using CreatureGen.Species;
 
 namespace CreatureGen.Creatures;
 
-/// <summary>Sets nostrils on the front of a nose of leather, on the sides of a bare snout, and at the root of a beak.</summary>
+/// <summary>Sets a nose of leather with its nostrils on the front of a muzzle, and nostrils on the sides of a bare snout and at the root of a beak.</summary>
 internal static class NostrilSetter
 {
     /// <summary>Squareness from which on a muzzle ends in a nose of leather.</summary>
     private const double LeatherFrom = 2.5;
 
     // Half width of a nostril, in those that its species tells of the muzzle's half width, or of that of its leather.
-    private const double Breadth = 0.8;
-    private const double OnLeather = 1.05;
+    private const double Breadth = 0.62;
+    private const double OnLeather = 0.95;
     private const double InBeak = 0.75;
 
-    /// <summary>Part of the direction of the muzzle in that of a nostril on its front.</summary>
-    private const float Ahead = 0.85f;
+    // Half length of a nostril in half widths: on leather, on a bare snout, in a beak.
+    private const float LongOnLeather = 1.45f;
+    private const float LongOnSkin = 1.9f;
+    private const float LongInBeak = 1.6f;
+
+    // Direction of a nostril on a bare snout: it runs up and back.
+    private const float Leaning = 0.9f;
+
+    /// <summary>Appends the nose of leather of a muzzle that ends in one.</summary>
+    public static void AppendLeather(PieceBuilder builder, CreatureBlueprint blueprint, GrownSurface grown, CoatPalette palette)
+    {
+        if (HasLeather(blueprint))
+        {
+            var pad = new NosePad(grown.Skin.Shape);
+            var muzzle = new MuzzleFront(grown.Surface, pad);
+            NosePadShape.Append(builder, pad, muzzle.Ahead, palette.Muzzle);
+        }
+    }
 
     /// <summary>Appends both nostrils of a creature that has any. They move with the head.</summary>
     /// <param name="builder">Where they go.</param>
@@ -36,64 +52,31 @@ internal static class NostrilSetter
         CoatPalette palette = coat.Palette;
         BodyShape shape = grown.Skin.Shape;
         double size = blueprint.Head.NostrilSize;
+        int first = builder.VertexCount;
+        int index = builder.IndexCount;
         if (beak != null)
         {
             Vector3 colour = beak.IsNostrilSoft ? BeakSetter.SoftColour(palette, coat.BeakColour) : coat.BeakColour;
-            NostrilShape.Append(builder, beak.Nostril, shape.Forward(StationRing.MuzzleMiddle), (float)(InBeak * shape.Width[StationRing.MuzzleMiddle] * size), colour);
+            NostrilShape.Append(builder, beak.Nostril, shape.Forward(StationRing.MuzzleMiddle), (float)(InBeak * shape.Width[StationRing.MuzzleMiddle] * size), LongInBeak, colour);
         }
-        else if (blueprint.Head.MuzzleSquareness > LeatherFrom)
+        else if (HasLeather(blueprint))
         {
             var pad = new NosePad(shape);
-            NostrilShape.Append(builder, OnFront(grown.Surface, pad), pad.Up, (float)(OnLeather * pad.HalfWidth * size), palette.Muzzle);
+            var muzzle = new MuzzleFront(grown.Surface, pad);
+            NostrilShape.Append(builder, NosePadShape.Nostril(pad, muzzle.Ahead), pad.Up + (Vector3.UnitX * 0.5f), (float)(OnLeather * pad.HalfWidth * size), LongOnLeather, palette.Muzzle);
         }
         else
         {
             bool painted = SpeciesCatalogue.Find(blueprint.Body.Blend.Face).Snout == SnoutKind.Beak;
-            NostrilShape.Append(builder, grown.Skin.At(painted ? 3.5 : 1.2, 4.6), shape.Up(StationRing.Nostrils), (float)(Breadth * shape.Width[StationRing.Nostrils] * size), palette.Base);
+            (float ring, float segment) = (painted ? 3.5f : 1.2f, 4.6f);
+            SurfacePoint at = grown.Skin.At(ring, segment);
+            Vector3 along = shape.Up(StationRing.Nostrils) - (shape.Forward(StationRing.Nostrils) * Leaning);
+            var address = new VertexAddress { Region = SurfaceRegion.Body, Appendage = -1, Sign = 1, Ring = ring, Segment = segment };
+            NostrilShape.Append(builder, at, along, (float)(Breadth * shape.Width[StationRing.Nostrils] * size), LongOnSkin, coat.At(address, at.Position, at.Normal));
         }
 
-        builder.AppendMirrored(0, 0);
+        builder.AppendMirrored(first, index);
     }
 
-    /// <summary>The skin before the place of the left nostril: where it is met first from ahead.</summary>
-    private static SurfacePoint OnFront(Surface surface, NosePad pad)
-    {
-        Vector3 at = pad.Nostril;
-        float farthest = 0f;
-        Vector3 outward = pad.Forward;
-        for (int t = 0; t < surface.Triangles.Length; t += 3)
-        {
-            int first = surface.Triangles[t];
-            if (surface.Addresses[first].Ring > StationRing.MuzzleFront || surface.Addresses[first].Appendage >= 0)
-            {
-                continue;
-            }
-
-            Vector3 a = surface.Positions[first] - at;
-            Vector3 b = surface.Positions[surface.Triangles[t + 1]] - at;
-            Vector3 c = surface.Positions[surface.Triangles[t + 2]] - at;
-            Vector2 p = Seen(a), q = Seen(b), r = Seen(c);
-
-            // Areas of the triangles that the place makes with the edges, as seen from ahead: where all are of one sign, it lies within.
-            float u = Area(q, r), v = Area(r, p), w = Area(p, q);
-            float whole = u + v + w;
-            if (whole == 0f || u / whole < 0f || v / whole < 0f || w / whole < 0f)
-            {
-                continue;
-            }
-
-            float ahead = Vec.Dot(((a * u) + (b * v) + (c * w)) / whole, pad.Forward);
-            if (ahead > farthest)
-            {
-                farthest = ahead;
-                outward = Vec.Normalize(Vec.Cross(b - a, c - a), pad.Forward);
-            }
-        }
-
-        return new SurfacePoint(at + (pad.Forward * farthest), Vec.Normalize((outward * (1f - Ahead)) + (pad.Forward * Ahead), pad.Forward));
-
-        Vector2 Seen(Vector3 point) => new(point.X, Vec.Dot(point, pad.Up));
-    }
-
-    private static float Area(Vector2 a, Vector2 b) => (a.X * b.Y) - (a.Y * b.X);
+    private static bool HasLeather(CreatureBlueprint blueprint) => blueprint.Head.Beak == null && blueprint.Head.MuzzleSquareness > LeatherFrom;
 }

@@ -36,6 +36,10 @@ internal sealed class BillShape
     /// <summary>Room for the nose in the horn ahead of it, in its bulges.</summary>
     private const float Room = 1.3f;
 
+    // How far ahead a bill does not turn: so much of the nose below it, and so much of its own length at most. What turned in its last part alone would end in a nib.
+    private const float OverNose = 0.6f;
+    private const float LongestStraight = 0.4f;
+
     /// <summary>Breadth of the step from soft skin to horn, as a share of the way from root to nose.</summary>
     private const float Step = 0.035f;
 
@@ -74,6 +78,13 @@ internal sealed class BillShape
 
     /// <summary>Share of the way from the root to the nose that soft skin covers.</summary>
     public float Cere { get; init; }
+
+    /// <summary>How far a lower bill turns with the upper one that lies over it, radians: as much on each part of the way, and so less in all where it is shorter.</summary>
+    /// <param name="turn">How far the upper bill turns, radians.</param>
+    /// <param name="reach">How far they reach, metres.</param>
+    /// <param name="nose">How far the nose bulges ahead, metres.</param>
+    public static float TurnOf(float turn, BillReach reach, float nose) =>
+        turn * reach.Lower * (1f - Straight(nose, reach.Lower)) / (reach.Upper * (1f - Straight(nose, reach.Upper)));
 
     /// <summary>A place of the outer side between the root (0) and the nose (1), on the left, as the facets there lie.</summary>
     /// <param name="along">0..1.</param>
@@ -143,10 +154,9 @@ internal sealed class BillShape
         Vector3 seam = Middle(edge[0]);
         Vector3 centre = seam;
         float before = 0f;
-        float straight = Math.Min(Nose / Length, 0.75f);
+        float straight = Straight(Nose, Length);
         for (int i = 0; i <= ahead.Length; i++)
         {
-            // It turns ahead of the nose that it lies on.
             float v = i < ahead.Length ? ahead[i] : 1f;
             float turned = Turn * Math.Max(0f, (v - straight) / (1f - straight));
             float angle = 0.5f * (turned + (Turn * Math.Max(0f, (before - straight) / (1f - straight))));
@@ -195,6 +205,9 @@ internal sealed class BillShape
 
         return stations;
     }
+
+    /// <summary>Share of the way from the nose to the tip on which a bill does not turn: it turns ahead of the nose that it lies on.</summary>
+    private static float Straight(float nose, float length) => Math.Min(OverNose * nose / length, LongestStraight);
 
     private float RingOf(float along, float column)
     {

@@ -1,47 +1,52 @@
-using System;
+using System.Collections.Generic;
 using System.Numerics;
-using CreatureGen.Bodies;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Features;
 
-/// <summary>The gum that a row of teeth stands in: a ridge along the inner side of a lip.</summary>
+/// <summary>The gum that a row of teeth stands in: a ridge along the inner side of a lip, from the middle of the front to near the corner.</summary>
 internal static class GumShape
 {
     private const int Sides = 4;
 
-    /// <summary>Radius of the ridge, in lengths of the longest tooth.</summary>
-    private const float Thickness = 0.24f;
+    /// <summary>Thickness across the lip, in heights.</summary>
+    private const float Thickness = 0.8f;
 
-    /// <summary>Appends the gum of one lip of the left side.</summary>
+    /// <summary>How far its middle lies within the jaw, in heights: not much more than its crest stands out of the lip.</summary>
+    private const float Sunk = 0.25f;
+
+    /// <summary>Share of the lip at which it runs out.</summary>
+    private const float End = 0.96f;
+
+    /// <summary>Share of the lip before which it bends for the last time.</summary>
+    private const float LastBend = 0.88f;
+
+    /// <summary>What is left of its height there.</summary>
+    private const float AtEnd = 0.5f;
+
+    /// <summary>Appends the gum of one lip of the left side. It ends at the middle with a plane face, on which its mirror image stands.</summary>
     /// <param name="builder">Where the gum goes.</param>
-    /// <param name="lip">Points of the lip's edge from the front to the corner, with the outward directions of the skin; at least 3, or nothing is added.</param>
-    /// <param name="direction">Unit direction in which the teeth grow.</param>
-    /// <param name="length">Length of the longest tooth, metres.</param>
+    /// <param name="lip">The lip's edge.</param>
+    /// <param name="height">How far it stands out beyond the lip, metres.</param>
+    /// <param name="inset">How far behind the edge its middle is, metres.</param>
     /// <param name="colour">Linear RGB.</param>
-    public static void Append(PieceBuilder builder, ReadOnlySpan<SurfacePoint> lip, Vector3 direction, float length, Vector3 colour)
+    public static void Append(PieceBuilder builder, LipLine lip, float height, float inset, Vector3 colour)
     {
-        if (lip.Length < 3)
+        // It bends with each second point of the lip.
+        var rows = new List<TubeRow>();
+        for (int i = 0; i < lip.Count && lip.ShareOf(i) < LastBend; i += 2)
         {
-            return;
+            float size = height * Scalar.Lerp(1f, AtEnd, lip.ShareOf(i));
+            rows.Add(new TubeRow(Middle(lip.ShareOf(i)), size, Thickness * size, colour));
         }
 
-        float radius = Thickness * length;
-        var rows = new TubeRow[(lip.Length / 2) + 1];
-        Vector3 tip = Vector3.Zero;
-        for (int i = 0; i <= rows.Length; i++)
-        {
-            // Teeth stand closer than the gum bends.
-            SurfacePoint at = lip[i * (lip.Length - 1) / rows.Length];
-            Vector3 inward = Vec.Normalize(Vec.Reject(Vector3.Zero - at.Normal, direction), Vector3.Zero - at.Normal);
-            tip = at.Position + (inward * (1.2f * radius)) - (direction * (0.5f * radius));
-            if (i < rows.Length)
-            {
-                float end = i == 0 ? 0.7f : 1f - (0.4f * i / rows.Length);
-                rows[i] = new TubeRow(tip, radius * end, 0.8f * radius * end, colour * (i == 0 ? 0.8f : 1f));
-            }
-        }
+        SweptTube.Append(builder, rows.ToArray(), Middle(End), colour, lip.Direction, Sides);
 
-        SweptTube.Append(builder, rows, tip, colour, direction, Sides);
+        Vector3 Middle(float share)
+        {
+            Vector3 edge = lip.At(share, out Vector3 inward);
+            Vector3 place = edge + (inward * inset) - (lip.Direction * (Sunk * height));
+            return share > 0f ? place : new Vector3(0f, place.Y, place.Z);
+        }
     }
 }

@@ -18,8 +18,9 @@ internal static class NostrilShape
     /// <param name="at">Its place on the skin.</param>
     /// <param name="along">Direction of its longer axis; not along the normal.</param>
     /// <param name="radius">Half its width across that axis, metres.</param>
+    /// <param name="length">Half its length along that axis, in half widths.</param>
     /// <param name="skin">Linear RGB of the skin around it.</param>
-    public static void Append(PieceBuilder builder, SurfacePoint at, Vector3 along, float radius, Vector3 skin)
+    public static void Append(PieceBuilder builder, SurfacePoint at, Vector3 along, float radius, float length, Vector3 skin)
     {
         ReadOnlySpan<Vector2> circle = UnitCircle.Directions(Sides);
         Vector3 major = Vec.Normalize(Vec.Reject(along, at.Normal), Vector3.UnitY);
@@ -29,16 +30,16 @@ internal static class NostrilShape
         ReadOnlySpan<float> widths = stackalloc float[] { 1.45f, 1.05f, 0.86f, 0.86f };
         ReadOnlySpan<float> lifts = stackalloc float[] { -0.30f, 0.17f, 0.16f, 0.16f };
         ReadOnlySpan<float> tilts = stackalloc float[] { 0.8f, 0.1f, -0.7f, -0.9f };
-        ReadOnlySpan<float> lengths = stackalloc float[] { 1.30f, 1.42f, 1.45f, 1.45f };
+        ReadOnlySpan<float> lengths = stackalloc float[] { 0.9f, 0.98f, 1f, 1f };
         int first = builder.VertexCount;
         for (int i = 0; i < widths.Length; i++)
         {
             for (int k = 0; k < Sides; k++)
             {
                 Vector3 across = (major * circle[k].X) + (minor * circle[k].Y);
-                Vector3 point = at.Position + (((major * (circle[k].X * lengths[i])) + (minor * circle[k].Y)) * (radius * widths[i])) + (at.Normal * (radius * lifts[i]));
+                Vector3 point = at.Position + (((major * (circle[k].X * length * lengths[i])) + (minor * circle[k].Y)) * (radius * widths[i])) + (at.Normal * (radius * lifts[i]));
                 Vector3 normal = Vec.Normalize((across * tilts[i]) + at.Normal);
-                builder.Vertex(point, normal, i < 2 ? skin * (i == 0 ? 0.85f : 0.7f) : i == 2 ? skin * 0.4f : dark);
+                builder.Vertex(point, normal, i < 2 ? skin * (i == 0 ? 1f : 0.86f) : i == 2 ? skin * 0.4f : dark);
             }
         }
 

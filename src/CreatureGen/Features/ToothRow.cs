@@ -1,40 +1,64 @@
 using System;
 using System.Numerics;
-using CreatureGen.Bodies;
+using CreatureGen.Anatomy.Teeth;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Features;
 
-/// <summary>Teeth along a lip: one small cone for each given point.</summary>
+/// <summary>Teeth along a lip: a small closed shell each, pointed or with an edge.</summary>
 internal static class ToothRow
 {
     private const int Sides = 4;
 
-    /// <summary>Index of the longest tooth of a row that starts at the front: the canine.</summary>
-    private const int Canine = 2;
+    /// <summary>How deep roots stand in the gum, in heights.</summary>
+    private const float Root = 0.25f;
+
+    /// <summary>How far from root to end a tooth is widest but one, and how much is left of a pointed one there.</summary>
+    private const float Waist = 0.5f;
+    private const float AtWaist = 0.72f;
+
+    /// <summary>Shade of roots, which lie in the shadow of the lip.</summary>
+    private const float RootShade = 0.7f;
 
     /// <summary>Appends the teeth of one lip of the left side.</summary>
     /// <param name="builder">Where the teeth go.</param>
-    /// <param name="lip">Points of the lip's edge from the front to the corner, with the outward directions of the skin.</param>
-    /// <param name="direction">Unit direction in which the teeth grow: down from the upper lip, up from the lower one.</param>
+    /// <param name="lip">The lip's edge.</param>
+    /// <param name="sets">Which teeth.</param>
     /// <param name="length">Length of the longest tooth, metres.</param>
+    /// <param name="inset">How far behind the edge they stand, metres.</param>
     /// <param name="colour">Linear RGB.</param>
-    public static void Append(PieceBuilder builder, ReadOnlySpan<SurfacePoint> lip, Vector3 direction, float length, Vector3 colour)
+    public static void Append(PieceBuilder builder, LipLine lip, ToothSet[] sets, float length, float inset, Vector3 colour)
+    {
+        foreach (ToothSet set in sets)
+        {
+            float room = (set.Stretch.To - set.Stretch.From) / set.Count;
+            for (int i = 0; i < set.Count; i++)
+            {
+                float height = length * Scalar.Lerp(set.Height.First, set.Height.Last, set.Count > 1 ? i / (set.Count - 1f) : 0f) * ((i & 1) == 0 ? 1f : set.Second);
+                float breadth = Math.Min(set.Fill * room * lip.Length, set.Stoutest * height);
+                Vector3 edge = lip.At(set.Stretch.From + ((i + 0.5f) * room), out Vector3 inward);
+                Append(builder, set, edge + (inward * inset), lip.Direction, inward, height, breadth / 2f, colour);
+            }
+        }
+    }
+
+    private static void Append(PieceBuilder builder, ToothSet set, Vector3 at, Vector3 direction, Vector3 inward, float height, float half, Vector3 colour)
     {
         Span<TubeRow> rows = stackalloc TubeRow[2];
-        for (int i = 0; i < lip.Length; i++)
+        float thick = half * set.Depth;
+        Vector3 across = Vec.Cross(direction, inward);
+        rows[0] = new TubeRow(at - (direction * (Root * height)), half, thick, colour * RootShade);
+        Vector3 tip = at + (direction * height) + (inward * (set.Curve * height));
+        if (set.Edge > 0f)
         {
-            // Neighbours differ in height; behind the canine the row falls off towards the corner.
-            float back = lip.Length > 1 ? i / (lip.Length - 1f) : 0f;
-            float height = length * (i == Canine && lip.Length > 4 ? 1f : ((i & 1) == 0 ? 0.78f : 0.58f) * (1f - (0.35f * back)));
-            float radius = 0.24f * height;
-            Vector3 inward = Vec.Normalize(Vec.Reject(Vector3.Zero - lip[i].Normal, direction), Vector3.Zero - lip[i].Normal);
-            Vector3 root = lip[i].Position + (inward * (1.3f * radius)) - (direction * (0.30f * height));
-            Vector3 tip = root + (direction * (1.30f * height)) + (inward * (0.18f * height));
-            Vector3 middle = Vec.Lerp(root, tip, 0.55f) - (inward * (0.05f * height));
-            rows[0] = new TubeRow(root, radius, 1.1f * radius, colour * 0.72f);
-            rows[1] = new TubeRow(middle, 0.72f * radius, 0.78f * radius, colour);
-            SweptTube.Append(builder, rows, tip, colour, inward, Sides);
+            // Its edge is as thin as a third of it, and all but level.
+            rows[1] = new TubeRow(at + (direction * (0.92f * height)) + (inward * (set.Curve * height)), half * set.Edge, 0.5f * thick, colour);
         }
+        else
+        {
+            rows[1] = new TubeRow(Vec.Lerp(at, tip, Waist) - (inward * (0.4f * set.Curve * height)), AtWaist * half, AtWaist * thick, colour);
+        }
+
+        SweptTube.Append(builder, rows, tip, colour, across, Sides);
     }
 }

@@ -1,5 +1,6 @@
 using System;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Teeth;
 using CreatureGen.Blueprints;
 
 namespace CreatureGen.Species;
@@ -302,7 +303,10 @@ internal sealed record SpeciesProfile
     /// <summary>Families of its spread wings; null for any of its membranes or feathers.</summary>
     public Weighted<WingStyle>[]? WingStyles { get; init; }
 
-    /// <summary>Probability of teeth when the mouth is open.</summary>
+    /// <summary>Which teeth it has, if any.</summary>
+    public Dentition Dentition { get; init; } = PegTeeth.Teeth;
+
+    /// <summary>Probability of teeth.</summary>
     public double Teeth { get; init; }
 
     /// <summary>Patterns of the coat.</summary>

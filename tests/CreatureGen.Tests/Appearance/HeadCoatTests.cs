@@ -47,7 +47,7 @@ public sealed class HeadCoatTests
     {
         CoatBlueprint brown = black with { Base = black.Base with { Lightness = 0.5 }, Back = black.Back with { Lightness = 0.4 } };
         var lips = new CoatPainter(brown, Subject(SnoutKind.Bare));
-        Assert.True(Luminance(lips.At(Address(SurfaceRegion.Lip, 5, 10), front, Vector3.UnitX)) < Luminance(lips.At(Address(SurfaceRegion.Body, 5, 10), front, Vector3.UnitX)) / Told);
+        Assert.True(Luminance(lips.At(Address(SurfaceRegion.Lip, 5, 10), front, Vector3.UnitX)) < Luminance(lips.At(Address(SurfaceRegion.Body, 5, 10), front + new Vector3(0f, 0.02f, 0f), Vector3.UnitX)) / Told);
         Vector3 beak = new CoatPainter(brown, Subject(SnoutKind.Beak)).At(Address(SurfaceRegion.Body, 2, 6), front, Vector3.UnitZ);
         Assert.True(Luminance(beak) < 1.1f * Luminance(OklchColour.ToLinearRgb(brown.Muzzle)));
     }
@@ -58,6 +58,8 @@ public sealed class HeadCoatTests
     {
         CoatSubject subject = StraightSkin.Subject();
         subject.Snout = snout;
+        Vector3[] lip = { front + new Vector3(0.1f, 0f, -0.2f), front, front - new Vector3(front.X, 0f, 0f) };
+        subject.Lips = snout == SnoutKind.Beak ? null : new MouthLine(lip, lip, 7, 0.05f);
         subject.EyeCentre = new Vector3(0.2f, 1.1f, 0.8f);
         subject.EyeRadius = 0.03f;
         return subject;

@@ -4,7 +4,13 @@ using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
+using CreatureGen.Creatures;
+using CreatureGen.Features;
+using CreatureGen.Geometry;
+using CreatureGen.Limbs;
 using CreatureGen.Sampling;
+using CreatureGen.Tests.Features;
+using CreatureGen.Tests.Sampling;
 using Xunit;
 
 namespace CreatureGen.Tests.Bodies;
@@ -25,6 +31,31 @@ public sealed class NosePadTests
             Assert.True(pad.HalfWidth < shape.Width[StationRing.Nose], $"{seed}");
             float above = Vector3.Dot(pad.Centre - shape.Centre(StationRing.Nose), pad.Up);
             Assert.True(above <= shape.Top[StationRing.Nose] && above - pad.HalfHeight >= -0.4 * shape.Bottom[StationRing.Nose], $"{seed}");
+        }
+    }
+
+    [Fact]
+    public void As_a_piece_it_is_a_closed_mirrored_cushion_that_stands_off_the_muzzle_on_every_mammal()
+    {
+        foreach (string body in new[] { "canine", "feline", "bovine", "bear", "horse" })
+        {
+            foreach (CreatureBlueprint mammal in SpeciesTests.Drawn(body, RequestedKind.Walking).Take(6))
+            {
+                GrownSurface grown = GrownSurface.Grow(mammal);
+                var pad = new NosePad(grown.Skin.Shape);
+                var muzzle = new MuzzleFront(grown.Surface, pad);
+                var builder = new PieceBuilder();
+                NosePadShape.Append(builder, pad, muzzle.Ahead, Vector3.One);
+                Piece piece = builder.ToPiece(MaterialKind.Skin, PieceChecks.Anywhere);
+                PieceChecks.IsSound(piece);
+                PieceChecks.IsSymmetric(piece);
+                Assert.InRange(PieceChecks.TriangleCount(piece), 80, 160);
+
+                float crown = Vector3.Dot(piece.Positions[^1] - pad.Centre, pad.Forward);
+                Assert.InRange(crown - muzzle.Ahead(pad.Centre), 0.05f * pad.HalfWidth, 0.4f * pad.HalfWidth);
+                SurfacePoint nostril = NosePadShape.Nostril(pad, muzzle.Ahead);
+                Assert.True(nostril.Position.X > 0.3f * pad.HalfWidth && Vector3.Dot(nostril.Normal, pad.Forward) > 0.4f, body);
+            }
         }
     }
 

@@ -126,6 +126,19 @@ public sealed class BeakTests
     }
 
     [Theory]
+    [MemberData(nameof(Styles))]
+    public void The_lower_bill_of_a_shut_beak_turns_with_the_upper_one_and_does_not_come_through_it(BeakStyle style)
+    {
+        foreach (CreatureBlueprint bird in Birds(style).Select(Shut))
+        {
+            Vector3 up = GrownSurface.Grow(bird).Skin.Shape.Up(StationRing.Nose);
+            Piece[] bills = Bills(bird);
+            int through = bills[1].Positions.Count(p => Hits(bills[0], p, up) == 0 && Hits(bills[0], p, -up) > 0);
+            Assert.True(through <= 0.02 * bills[1].Positions.Length, $"{bird.Body.Blend.Face}: {through} corners of the lower bill are above the upper one");
+        }
+    }
+
+    [Theory]
     [InlineData(1)]
     [InlineData(0.1)]
     public void The_lower_bill_ends_where_the_jaw_does(double longer)

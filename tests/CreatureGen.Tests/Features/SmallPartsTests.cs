@@ -61,46 +61,15 @@ public sealed class SmallPartsTests
     }
 
     [Fact]
-    public void Teeth_are_closed_and_grow_from_their_lip()
-    {
-        SurfacePoint[] lip = Lip(9);
-        var builder = new PieceBuilder();
-        ToothRow.Append(builder, lip, -Vector3.UnitY, 0.03f, ivory);
-        Piece left = builder.ToPiece(MaterialKind.Skin, PieceChecks.Anywhere);
-        PieceChecks.IsSound(left);
-        Assert.InRange(PieceChecks.TriangleCount(left) / lip.Length, 8, 16);
-        Assert.InRange(left.Positions.Min(p => p.Y), 0.9699f, 0.975f);
-        Assert.True(left.Positions.Max(p => p.Y) > 1f, "roots are hidden in the lip");
-    }
-
-    [Fact]
-    public void The_other_half_of_a_row_is_its_exact_mirror_image()
-    {
-        var builder = new PieceBuilder();
-        ToothRow.Append(builder, Lip(6), Vector3.UnitY, 0.03f, ivory);
-        builder.AppendMirrored(0, 0);
-        Piece row = builder.ToPiece(MaterialKind.Skin, PieceChecks.Anywhere);
-        PieceChecks.IsSound(row);
-        PieceChecks.IsSymmetric(row);
-    }
-
-    [Fact]
     public void A_nostril_is_closed_dark_within_and_lies_close_to_the_skin()
     {
         var builder = new PieceBuilder();
         var at = new SurfacePoint(new Vector3(0.02f, 1f, 0.8f), Vector3.Normalize(new Vector3(0.4f, 0.2f, 0.9f)));
-        NostrilShape.Append(builder, at, Vector3.UnitY, 0.01f, ivory);
+        NostrilShape.Append(builder, at, Vector3.UnitY, 0.01f, 1.5f, ivory);
         Piece nostril = builder.ToPiece(MaterialKind.Skin, PieceChecks.Anywhere);
         PieceChecks.IsSound(nostril);
         Assert.InRange(PieceChecks.TriangleCount(nostril), 30, 130);
         Assert.All(nostril.Positions, p => Assert.InRange(Vector3.Dot(p - at.Position, at.Normal), -0.004f, 0.002f));
         Assert.True(nostril.Colours.Last().Length() < 0.02f);
     }
-
-    private static SurfacePoint[] Lip(int count) => Enumerable.Range(0, count)
-        .Select(i => 0.1f + (1.2f * i / count))
-        .Select(a => new SurfacePoint(
-            new Vector3(0.1f * MathF.Sin(a), 1f, 0.3f * MathF.Cos(a)),
-            Vector3.Normalize(new Vector3(3f * MathF.Sin(a), 0f, MathF.Cos(a)))))
-        .ToArray();
 }

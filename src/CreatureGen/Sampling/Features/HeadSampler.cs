@@ -228,7 +228,7 @@ internal static class HeadSampler
         SpeciesProfile species = builder.Parents.Head;
         (double opening, bool toothed) = Gape(builder);
         opening = species.MouthCorner == 0 ? 0 : Math.Min(opening, WidestOpening(builder));
-        return new MouthBlueprint(species.MouthCorner, opening, smile, toothed && opening > MinToothed ? species.ToothLength : 0, species.MouthCorner == 0 ? TongueStyle.None : species.Tongue);
+        return new MouthBlueprint(species.MouthCorner, opening, smile, toothed && species.MouthCorner > 0 ? species.ToothLength : 0, species.MouthCorner == 0 ? TongueStyle.None : species.Tongue);
     }
 
     private static (double Opening, bool Toothed) Gape(CreatureBuilder builder)

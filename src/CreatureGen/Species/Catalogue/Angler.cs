@@ -1,4 +1,5 @@
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Teeth;
 using CreatureGen.Blueprints;
 
 namespace CreatureGen.Species.Catalogue;
@@ -37,7 +38,7 @@ internal static class Angler
         Dominance = (0.93, 0.98),
         Signatures = new[] { Signature.None, Signature.BigEyes },
         Eye = (6.6, 5.0), EyeSize = 0.17,
-        MouthCorner = 7, Teeth = 1, ToothLength = 0.24,
+        MouthCorner = 7, Dentition = NeedleTeeth.Teeth, Teeth = 1, ToothLength = 0.3,
         MouthOpenings = Weights.Of<double>((0.30, 1)),
         SwimmingPlans = Weights.Of((BodyPlan.Fish, 1)),
         Fins = new FinPreset

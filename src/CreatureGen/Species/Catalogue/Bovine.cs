@@ -1,4 +1,5 @@
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Teeth;
 using CreatureGen.Blueprints;
 
 namespace CreatureGen.Species.Catalogue;
@@ -35,7 +36,7 @@ internal static class Bovine
             {
                 new HeadBump(Ring: 1.4, Segment: 6.5, RingSpread: 1.6, SegmentSpread: 3.0, Amount: 0.10),
                 new HeadBump(Ring: 5.5, Segment: 6.0, RingSpread: 1.8, SegmentSpread: 2.5, Amount: -0.08),
-            } }, WidestMouth = 0,
+            } }, WidestMouth = 0, Dentition = GrazerTeeth.Teeth, Teeth = 1, ToothLength = 0.18,
         IsHoofed = true, HornsBesideEars = true, Antlered = true, Tusked = true, FallingMane = 0.3, Shelled = true, FlierLegPairs = Weights.Of((2, 1)),
         TailHair = TailHair.Tuft,
         TorsoLength = (1, 1.7),

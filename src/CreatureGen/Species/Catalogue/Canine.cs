@@ -1,4 +1,5 @@
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Teeth;
 using CreatureGen.Blueprints;
 
 namespace CreatureGen.Species.Catalogue;
@@ -47,7 +48,7 @@ internal static class Canine
         SwimmingPlans = Weights.Of((BodyPlan.Whale, 1)),
         Eye = (9.6, 5.2), EyeSize = 0.325, EyeSink = 0.66, EyeForward = 0.65, LidDegrees = (54, 64), Bone = 1,
         Swelling = (0.10, 0.10), MouthCorner = 8, MuzzleSquareness = 2.9, Nostril = 0.19,
-        HeadOrnament = (1, 0.15), Ears = Weights.Of((EarShape.Pointed, 0.6), (EarShape.Drooping, 0.25), (EarShape.Big, 0.15)), Teeth = 0.5,
+        HeadOrnament = (1, 0.15), Ears = Weights.Of((EarShape.Pointed, 0.6), (EarShape.Drooping, 0.25), (EarShape.Big, 0.15)), Dentition = CarnivoreTeeth.Teeth, Teeth = 1, ToothLength = 0.28,
         Patterns = Weights.Of((PatternKind.Plain, 1), (PatternKind.Saddle, 1.2), (PatternKind.Patches, 0.8), (PatternKind.Spots, 0.5), (PatternKind.Rosettes, 0.1)),
         Relief = TorsoRelief.Mammal,
     };

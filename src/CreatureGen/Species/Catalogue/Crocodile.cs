@@ -1,4 +1,5 @@
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Teeth;
 using CreatureGen.Blueprints;
 
 namespace CreatureGen.Species.Catalogue;
@@ -34,7 +35,7 @@ internal static class Crocodile
         TorsoLength = (0.8, 1.8),
         Frequency = (0.25, 0, 0.3),
         Eye = (10.0, 3.4), EyeSize = 0.22, EyeSink = 0.35, Bone = 0.3,
-        Teeth = 1, ToothLength = 0.16, HeadOrnament = (0, 0),
+        Dentition = CrocodileTeeth.Teeth, Teeth = 1, ToothLength = 0.32, HeadOrnament = (0, 0),
         WalkingPlans = Weights.Of((BodyPlan.Sprawling, 1)),
         SwimmingPlans = Weights.Of((BodyPlan.Eel, 1)),
         Paddles = SwimmerParts.Paddling(0.085, 0.6),

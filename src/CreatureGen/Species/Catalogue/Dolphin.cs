@@ -1,4 +1,5 @@
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Teeth;
 using CreatureGen.Blueprints;
 
 namespace CreatureGen.Species.Catalogue;
@@ -36,7 +37,7 @@ internal static class Dolphin
         Frequency = (0, 0, 0.34),
         Dominance = (0.93, 0.98),
         Eye = (8.6, 8.2), EyeSize = 0.17,
-        MouthCorner = 8, Teeth = 0.3, ToothLength = 0.1, Nostril = 0,
+        MouthCorner = 8, Dentition = NeedleTeeth.Teeth, Teeth = 1, ToothLength = 0.12, Nostril = 0,
         MouthOpenings = Weights.Of<double>((0, 1), (0.12, 0.6)),
         SwimmingPlans = Weights.Of((BodyPlan.Whale, 1)),
         Fins = new FinPreset

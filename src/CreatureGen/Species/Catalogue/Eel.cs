@@ -1,4 +1,5 @@
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Teeth;
 using CreatureGen.Blueprints;
 
 namespace CreatureGen.Species.Catalogue;
@@ -33,7 +34,7 @@ internal static class Eel
             (280, 0, 8, 16, 16)),  // tail tip
         TorsoLength = (0.35, 0.9),
         Frequency = (0, 0, 0.28),
-        HeadOrnament = (0, 0),
+        Dentition = NeedleTeeth.Teeth, ToothLength = 0.16, HeadOrnament = (0, 0),
         SwimmingPlans = Weights.Of((BodyPlan.Eel, 1)),
         Patterns = Weights.Of((PatternKind.Bands, 1.2), (PatternKind.Spots, 0.8), (PatternKind.Mottle, 0.5), (PatternKind.Turing, 1)),
         Colourings = new[]

@@ -1,4 +1,5 @@
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Teeth;
 using CreatureGen.Blueprints;
 
 namespace CreatureGen.Species.Catalogue;
@@ -47,7 +48,7 @@ internal static class Feline
         SwimmingPlans = Weights.Of((BodyPlan.Whale, 1)),
         Eye = (9.6, 5.0), EyeSize = 0.375, EyeSink = 0.60, EyeForward = 0.75, LidDegrees = (56, 66), SlitPupils = 0.75, Bone = 0.9,
         Swelling = (0.08, 0.13), MouthCorner = 7, MuzzleSquareness = 2.9, Nostril = 0.19,
-        HeadOrnament = (1, 0.12), Ears = Weights.Of((EarShape.Pointed, 0.6), (EarShape.Round, 0.4)), Teeth = 0.5,
+        HeadOrnament = (1, 0.12), Ears = Weights.Of((EarShape.Pointed, 0.6), (EarShape.Round, 0.4)), Dentition = CarnivoreTeeth.Teeth, Teeth = 1, ToothLength = 0.3,
         Patterns = Weights.Of((PatternKind.Stripes, 1), (PatternKind.Spots, 0.8), (PatternKind.Plain, 0.6), (PatternKind.Saddle, 0.3), (PatternKind.Rosettes, 1.3), (PatternKind.Giraffe, 0.3)),
         Relief = TorsoRelief.Mammal,
     };

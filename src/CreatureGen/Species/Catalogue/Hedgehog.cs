@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Teeth;
 using CreatureGen.Blueprints;
 
 namespace CreatureGen.Species.Catalogue;
@@ -43,7 +44,7 @@ internal static class Hedgehog
         WalkingPlans = Weights.Of((BodyPlan.Plantigrade, 1)),
         Eye = (9.2, 5.2), EyeSize = 0.26,
         HeadOrnament = (1, 0), Ears = Weights.Of((EarShape.Round, 1)), EarSize = 0.7,
-        Teeth = 0, Tusked = false, Antlered = false,
+        Dentition = PegTeeth.Teeth, ToothLength = 0.08, Tusked = false, Antlered = false,
         Parts = new[] { new PartSlot(new PartChoice(1, Quills())) },
         Patterns = Weights.Of((PatternKind.Plain, 1), (PatternKind.Mottle, 0.6)),
         Colourings = new[]

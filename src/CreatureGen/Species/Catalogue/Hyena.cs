@@ -39,7 +39,7 @@ internal static class Hyena
         HipHeight = (0.65, 0.83),
         WalkingPlans = Weights.Of((BodyPlan.Digitigrade, 1)),
         HeadSize = (1.14, 0.7),
-        Ears = Weights.Of((EarShape.Round, 1)), Teeth = 0.7,
+        Ears = Weights.Of((EarShape.Round, 1)), 
         Parts = new[] { new PartSlot(new PartChoice(1) { Mane = NeckPresets.Bristles }) },
         Colourings = new[]
         {

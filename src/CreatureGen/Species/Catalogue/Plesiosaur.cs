@@ -1,4 +1,5 @@
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Teeth;
 using CreatureGen.Blueprints;
 
 namespace CreatureGen.Species.Catalogue;
@@ -34,7 +35,7 @@ internal static class Plesiosaur
         TorsoLength = (1.1, 2.4),
         Frequency = (0, 0, 0.33),
         Eye = (9.4, 5.0), EyeSize = 0.30,
-        HeadOrnament = (0, 0.15),
+        Dentition = CrocodileTeeth.Teeth, ToothLength = 0.32, HeadOrnament = (0, 0.15),
         SwimmingPlans = Weights.Of((BodyPlan.Flipper, 1)),
         Fins = new FinPreset
         {

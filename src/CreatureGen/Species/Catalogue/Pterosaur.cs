@@ -1,4 +1,5 @@
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Teeth;
 using CreatureGen.Blueprints;
 
 namespace CreatureGen.Species.Catalogue;
@@ -38,7 +39,7 @@ internal static class Pterosaur
         Dominance = (0.92, 0.97),
         Kinship = 0,
         Eye = (10, 5.6), EyeSize = 0.44,
-        HeadOrnament = (0, 0),
+        Dentition = NeedleTeeth.Teeth, ToothLength = 0.2, HeadOrnament = (0, 0),
         FlyingPlans = new[] { new Weighted<BodyPlan>(BodyPlan.Flapping, 1) },
         WingMembrane = 1, FlierLegPairs = Weights.Of((1, 1)), LegGirth = 0.66,
         Parts = new[]

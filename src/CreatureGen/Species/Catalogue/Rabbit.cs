@@ -1,4 +1,5 @@
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Teeth;
 using CreatureGen.Blueprints;
 
 namespace CreatureGen.Species.Catalogue;
@@ -39,7 +40,7 @@ internal static class Rabbit
         HipHeight = (0.40, 0.48), LegGirth = 0.9,
         Eye = (9.6, 6.4), EyeSize = 0.34,
         HeadOrnament = (1, 0), Ears = Weights.Of((EarShape.Long, 1), (EarShape.Drooping, 0.2)),
-        Teeth = 0, MouthOpenings = new[] { new Weighted<double>(0, 1) },
+        Dentition = GnawerTeeth.Teeth, ToothLength = 0.3, MouthOpenings = new[] { new Weighted<double>(0, 1) },
         WalkingPlans = Weights.Of((BodyPlan.Plantigrade, 1)),
         Parts = new[] { new PartSlot(new PartChoice(0.12, new PartPreset(new FeatureBlueprint(FeatureKind.Antler, Ring: 12, Segment: 2.0, Length: 0.26, Radius: 0.02, Outward: 0, Upward: 0.80, Forward: -0.1, Sideward: 0.5, BendUp: 0.2, BendForward: 0.1, BendSide: 0.15, Flatness: 1, Taper: 1), 0.8, 1.2)), new PartChoice(1)) },
         Patterns = Weights.Of((PatternKind.Plain, 1), (PatternKind.Patches, 0.6), (PatternKind.Saddle, 0.4)),

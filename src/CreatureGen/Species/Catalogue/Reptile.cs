@@ -39,7 +39,7 @@ internal static class Reptile
         SwimmingPlans = Weights.Of((BodyPlan.Flipper, 0.65), (BodyPlan.Fish, 0.2), (BodyPlan.Whale, 0.15)),
         Eye = (9.6, 4.8), EyeSize = 0.3125, EyeSink = 0.56, EyeForward = 0.4, LidDegrees = (56, 72), SlitPupils = 0.75, Bone = 0.8,
         Swelling = (0.16, 0.08), MouthCorner = 9, Nostril = 0.15, Mood = 0.55, TongueTints = Weights.Of((new Tint(0.60, 0.115, 14), 1), (new Tint(0.50, 0.13, 255), 0.25), (new Tint(0.30, 0.05, 350), 0.3)),
-        HeadOrnament = (0.04, 0.4), Teeth = 0.55,
+        HeadOrnament = (0.04, 0.4), Teeth = 0.8, ToothLength = 0.2,
         Patterns = Weights.Of((PatternKind.Bands, 1), (PatternKind.Mottle, 1), (PatternKind.Stripes, 0.8), (PatternKind.Patches, 0.4), (PatternKind.Saddle, 0.3), (PatternKind.Rosettes, 0.12), (PatternKind.Giraffe, 0.15)),
         Relief = TorsoRelief.Reptile,
     };

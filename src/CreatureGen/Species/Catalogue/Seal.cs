@@ -35,7 +35,7 @@ internal static class Seal
         TorsoLength = (0.8, 1.4),
         Frequency = (0, 0, 0.3),
         Eye = (8.8, 5.6), EyeSize = 0.30,
-        HeadOrnament = (0, 0), Teeth = 0.2,
+        HeadOrnament = (0, 0), 
         MouthOpenings = Weights.Of<double>((0, 1), (0.1, 0.4)),
         SwimmingPlans = Weights.Of((BodyPlan.Whale, 1)),
         Fins = new FinPreset

@@ -1,4 +1,5 @@
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Teeth;
 using CreatureGen.Blueprints;
 
 namespace CreatureGen.Species.Catalogue;
@@ -39,7 +40,7 @@ internal static class Serpent
         SwimmingPlans = Weights.Of((BodyPlan.Eel, 0.75), (BodyPlan.Fish, 0.25)),
         Eye = (9.6, 5.6), EyeSize = 0.3125, EyeSink = 0.56, EyeForward = 0.4, LidDegrees = (56, 72), SlitPupils = 0.75, Bone = 0.6,
         Swelling = (0.12, 0.12), Tongue = TongueStyle.Forked, TongueTints = Weights.Of((new Tint(0.40, 0.07, 300), 0.7), (new Tint(0.56, 0.17, 20), 1)), MouthCorner = 9, Nostril = 0.15, Mood = 0.55,
-        HeadOrnament = (0, 0.35), Teeth = 0.55,
+        HeadOrnament = (0, 0.35), Dentition = FangTeeth.Teeth, Teeth = 0.9, ToothLength = 0.4,
         Patterns = Weights.Of((PatternKind.Bands, 1.4), (PatternKind.Spots, 0.6), (PatternKind.Stripes, 0.6), (PatternKind.Mottle, 0.5)),
     };
 }

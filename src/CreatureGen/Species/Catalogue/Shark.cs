@@ -1,4 +1,5 @@
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Teeth;
 using CreatureGen.Blueprints;
 
 namespace CreatureGen.Species.Catalogue;
@@ -35,7 +36,7 @@ internal static class Shark
         TorsoLength = (1, 2.6),
         Frequency = (0, 0, 0.42),
         Eye = (8.4, 7.2), EyeSize = 0.17,
-        MouthCorner = 6, Teeth = 0.9, ToothLength = 0.12,
+        MouthCorner = 6, Dentition = SawTeeth.Teeth, Teeth = 1, ToothLength = 0.19,
         MouthOpenings = Weights.Of<double>((0.10, 1), (0.18, 1), (0.0, 0.6)),
         SwimmingPlans = Weights.Of((BodyPlan.Fish, 1)),
         Fins = new FinPreset
