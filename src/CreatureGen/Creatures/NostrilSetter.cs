@@ -19,13 +19,16 @@ internal static class NostrilSetter
 
     // Half width of a nostril, in those that its species tells of the muzzle's half width, or of that of its leather.
     private const double Breadth = 0.62;
-    private const double OnLeather = 0.95;
+    private const double OnLeather = 1.1;
     private const double InBeak = 0.75;
 
     // Half length of a nostril in half widths: on leather, on a bare snout, in a beak.
     private const float LongOnLeather = 1.45f;
     private const float LongOnSkin = 1.9f;
     private const float LongInBeak = 1.6f;
+
+    /// <summary>Share of the coat's colour in that of a nose.</summary>
+    private const float PaleLeather = 0.18f;
 
     // Direction of a nostril on a bare snout: it runs up and back.
     private const float Leaning = 0.9f;
@@ -37,7 +40,7 @@ internal static class NostrilSetter
         {
             var pad = new NosePad(grown.Skin.Shape);
             var muzzle = new MuzzleFront(grown.Surface, pad);
-            NosePadShape.Append(builder, pad, muzzle.Ahead, palette.Muzzle);
+            NosePadShape.Append(builder, pad, muzzle.Ahead, LeatherColour(palette));
         }
     }
 
@@ -63,7 +66,7 @@ internal static class NostrilSetter
         {
             var pad = new NosePad(shape);
             var muzzle = new MuzzleFront(grown.Surface, pad);
-            NostrilShape.Append(builder, NosePadShape.Nostril(pad, muzzle.Ahead), pad.Up + (Vector3.UnitX * 0.5f), (float)(OnLeather * pad.HalfWidth * size), LongOnLeather, palette.Muzzle);
+            NostrilShape.Append(builder, NosePadShape.Nostril(pad, muzzle.Ahead), pad.Up + (Vector3.UnitX * 0.5f), (float)(OnLeather * pad.HalfWidth * size), LongOnLeather, LeatherColour(palette));
         }
         else
         {
@@ -77,6 +80,9 @@ internal static class NostrilSetter
 
         builder.AppendMirrored(first, index);
     }
+
+    /// <summary>The colour of a nose: a little lighter than that of the muzzle around it, or its nostrils would not be seen.</summary>
+    private static Vector3 LeatherColour(CoatPalette palette) => Vec.Lerp(palette.Muzzle, palette.Base, PaleLeather);
 
     private static bool HasLeather(CreatureBlueprint blueprint) => blueprint.Head.Beak == null && blueprint.Head.MuzzleSquareness > LeatherFrom;
 }

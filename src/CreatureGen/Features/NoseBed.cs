@@ -5,7 +5,7 @@ using CreatureGen.Maths;
 
 namespace CreatureGen.Features;
 
-/// <summary>The skin below a nose of leather, evened out to a curved face, so that what is laid on it has an even edge.</summary>
+/// <summary>The skin below a nose of leather, filled up to an even curved face, so that what is laid on it has an even edge.</summary>
 internal readonly struct NoseBed
 {
     /// <summary>Where the skin is measured, in half widths and half heights of the pad from its middle.</summary>
@@ -14,6 +14,8 @@ internal readonly struct NoseBed
     /// <summary>How far it falls back at the edge at most, in half widths.</summary>
     private const float Steepest = 0.6f;
 
+    private readonly NosePad pad;
+    private readonly Func<Vector3, float> skin;
     private readonly float middle;
     private readonly float slope;
     private readonly float aside;
@@ -24,6 +26,8 @@ internal readonly struct NoseBed
     /// <param name="skin">How far the skin is ahead of a place of the pad's plane, metres.</param>
     public NoseBed(NosePad pad, Func<Vector3, float> skin)
     {
+        this.pad = pad;
+        this.skin = skin;
         middle = skin(pad.Centre);
         float steepest = Steepest * pad.HalfWidth;
         float side = skin(pad.Centre + (Vector3.UnitX * (Probe * pad.HalfWidth))) - middle;
@@ -34,8 +38,10 @@ internal readonly struct NoseBed
         above = Scalar.Clamp((up + down) / (2f * Probe * Probe), -steepest, 0f);
     }
 
-    /// <summary>How far it is ahead of the pad's plane, metres.</summary>
+    /// <summary>How far it is ahead of the pad's plane, metres: nowhere behind the skin.</summary>
     /// <param name="x">Half widths from the middle.</param>
     /// <param name="y">Half heights from the middle.</param>
-    public float At(float x, float y) => middle + (slope * y) + (aside * x * x) + (above * y * y);
+    public float At(float x, float y) => Math.Max(
+        middle + (slope * y) + (aside * x * x) + (above * y * y),
+        skin(pad.Centre + (Vector3.UnitX * (x * pad.HalfWidth)) + (pad.Up * (y * pad.HalfHeight))));
 }

@@ -12,14 +12,14 @@ internal static class NosePadShape
     private const int Sides = 16;
 
     // Loops from the edge to the middle: size, and how far they stand off the skin in half widths of the pad.
-    private static readonly Vector2[] loops = { new(1f, -0.25f), new(0.98f, 0.12f), new(0.84f, 0.22f), new(0.48f, 0.25f) };
+    private static readonly Vector2[] loops = { new(1f, -0.25f), new(0.98f, 0.09f), new(0.84f, 0.17f), new(0.48f, 0.19f) };
 
     /// <summary>How far the middle stands off, in half widths.</summary>
-    private const float Crown = 0.25f;
+    private const float Crown = 0.19f;
 
     // How far a nostril and the cushion beside it stand off, and how far from it that is, in half widths.
-    private const float NostrilLift = 0.21f;
-    private const float EdgeLift = 0.14f;
+    private const float NostrilLift = 0.175f;
+    private const float EdgeLift = 0.12f;
     private const float Aside = 0.25f;
 
     /// <summary>Where its upper end is, in half heights.</summary>
