@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Maths;
 
@@ -15,6 +14,9 @@ internal static class GumShape
     /// <summary>How far its middle lies within the jaw, in heights: not much more than its crest stands out of the lip.</summary>
     private const float Sunk = 0.25f;
 
+    /// <summary>How far beside the middle it begins, in heights.</summary>
+    private const float Apart = 0.03f;
+
     /// <summary>Share of the lip at which it runs out.</summary>
     private const float End = 0.96f;
 
@@ -24,7 +26,7 @@ internal static class GumShape
     /// <summary>What is left of its height there.</summary>
     private const float AtEnd = 0.5f;
 
-    /// <summary>Appends the gum of one lip of the left side. It ends at the middle with a plane face, on which its mirror image stands.</summary>
+    /// <summary>Appends the gum of one lip of the left side. It begins with a plane face a hair beside the middle, across which its mirror image begins.</summary>
     /// <param name="builder">Where the gum goes.</param>
     /// <param name="lip">The lip's edge.</param>
     /// <param name="height">How far it stands out beyond the lip, metres.</param>
@@ -32,21 +34,37 @@ internal static class GumShape
     /// <param name="colour">Linear RGB.</param>
     public static void Append(PieceBuilder builder, LipLine lip, float height, float inset, Vector3 colour)
     {
+        int first = builder.VertexCount;
+        Vector3 start = Middle(0f, out Vector3 back);
+
+        // Loops run the same way around in both jaws, seen from the corner.
+        float side = Vec.Cross(lip.Direction, back).X > 0f ? 1f : -1f;
+
         // It bends with each second point of the lip.
-        var rows = new List<TubeRow>();
         for (int i = 0; i < lip.Count && lip.ShareOf(i) < LastBend; i += 2)
         {
             float size = height * Scalar.Lerp(1f, AtEnd, lip.ShareOf(i));
-            rows.Add(new TubeRow(Middle(lip.ShareOf(i)), size, Thickness * size, colour));
+            Vector3 middle = Middle(lip.ShareOf(i), out Vector3 inward);
+            Vector3 up = lip.Direction * size;
+            Vector3 across = inward * (side * Thickness * size);
+            builder.Vertex(middle + up, Vector3.UnitY, colour);
+            builder.Vertex(middle + across, Vector3.UnitY, colour);
+            builder.Vertex(middle - up, Vector3.UnitY, colour);
+            builder.Vertex(middle - across, Vector3.UnitY, colour);
         }
 
-        SweptTube.Append(builder, rows.ToArray(), Middle(End), colour, lip.Direction, Sides);
+        LoopLoft.Close(builder, first, Sides, start, colour, Middle(End, out _), colour);
 
-        Vector3 Middle(float share)
+        Vector3 Middle(float share, out Vector3 inward)
         {
-            Vector3 edge = lip.At(share, out Vector3 inward);
-            Vector3 place = edge + (inward * inset) - (lip.Direction * (Sunk * height));
-            return share > 0f ? place : new Vector3(0f, place.Y, place.Z);
+            Vector3 edge = lip.At(share, out inward);
+            if (share == 0f)
+            {
+                inward = Vec.Normalize(new Vector3(0f, inward.Y, inward.Z), inward);
+                edge.X = Apart * height;
+            }
+
+            return edge + (inward * inset) - (lip.Direction * (Sunk * height));
         }
     }
 }
