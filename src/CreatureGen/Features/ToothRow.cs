@@ -22,7 +22,7 @@ internal static class ToothRow
     private const float RootShade = 0.7f;
 
     /// <summary>Share of the way between the middles of neighbours that their halves may fill: on a lip that bends teeth behind it stand closer than the lip is long.</summary>
-    private const float Room = 0.94f;
+    private const float Room = 0.8f;
 
     /// <summary>Appends the teeth of one lip of the left side.</summary>
     /// <param name="builder">Where the teeth go.</param>

@@ -133,8 +133,10 @@ public sealed class CoatPainterTests
         Vector3 orange = OklchColour.ToLinearRgb(bird.Muzzle);
         Assert.True(Distance(beak / beak.X, orange / orange.X) < 0.1f);
         subject.Snout = SnoutKind.Bare;
+        Vector3[] lip = { front + new Vector3(0.1f, 0f, -0.2f), front };
+        subject.Lips = new MouthLine(lip, lip, 7, 0.05f);
         var bare = new CoatPainter(tabby, subject);
-        Assert.True(bare.At(Address(SurfaceRegion.Lip, 5, 10), front, Vector3.UnitX).Y < 0.6f * bare.At(Address(SurfaceRegion.Body, 5, 10), front, Vector3.UnitX).Y);
+        Assert.True(bare.At(Address(SurfaceRegion.Lip, 5, 10), front, Vector3.UnitX).Y < 0.6f * bare.At(Address(SurfaceRegion.Body, 5, 10), front + new Vector3(0f, 0.02f, 0f), Vector3.UnitX).Y);
     }
 
     [Fact]
