@@ -1,3 +1,4 @@
+using System;
 using System.Numerics;
 using CreatureGen.Maths;
 
@@ -20,7 +21,7 @@ internal static class GumShape
     /// <summary>Share of the lip at which it runs out.</summary>
     private const float End = 0.96f;
 
-    /// <summary>Share of the lip before which it bends for the last time.</summary>
+    /// <summary>Share of the lip before which it bends for the last time at the latest.</summary>
     private const float LastBend = 0.88f;
 
     /// <summary>What is left of its height there.</summary>
@@ -40,11 +41,14 @@ internal static class GumShape
         // Loops run the same way around in both jaws, seen from the corner.
         float side = Vec.Cross(lip.Direction, back).X > 0f ? 1f : -1f;
 
-        // It bends with each second point of the lip.
-        for (int i = 0; i < lip.Count && lip.ShareOf(i) < LastBend; i += 2)
+        // It bends with each second point of the lip, whatever shape this has: all of a species are triangulated alike.
+        int last = (lip.Count - 2) & ~1;
+        float squeeze = Math.Min(1f, LastBend / lip.ShareOf(last));
+        for (int i = 0; i <= last; i += 2)
         {
-            float size = height * Scalar.Lerp(1f, AtEnd, lip.ShareOf(i));
-            Vector3 middle = Middle(lip.ShareOf(i), out Vector3 inward);
+            float share = lip.ShareOf(i) * squeeze;
+            float size = height * Scalar.Lerp(1f, AtEnd, share);
+            Vector3 middle = Middle(share, out Vector3 inward);
             Vector3 up = lip.Direction * size;
             Vector3 across = inward * (side * Thickness * size);
             builder.Vertex(middle + up, Vector3.UnitY, colour);
@@ -64,7 +68,9 @@ internal static class GumShape
                 edge.X = Apart * height;
             }
 
-            return edge + (inward * inset) - (lip.Direction * (Sunk * height));
+            // On a narrow muzzle both halves would meet behind the lip.
+            float room = inward.X < 0f ? Math.Max(edge.X - (Thickness * height), 0f) / -inward.X : inset;
+            return edge + (inward * Math.Min(inset, room)) - (lip.Direction * (Sunk * height));
         }
     }
 }

@@ -11,6 +11,10 @@ internal static class NostrilShape
 {
     private const int Sides = 10;
 
+    /// <summary>Half its width at its root, in half widths, and which part of the way to the middle of the muzzle that may fill.</summary>
+    private const float Widest = 1.45f;
+    private const float InHalf = 0.95f;
+
     private static readonly Vector3 dark = new(0.012f, 0.008f, 0.008f);
 
     /// <summary>Appends the left nostril.</summary>
@@ -26,8 +30,12 @@ internal static class NostrilShape
         Vector3 major = Vec.Normalize(Vec.Reject(along, at.Normal), Vector3.UnitY);
         Vector3 minor = Vec.Cross(at.Normal, major);
 
+        // Its image is beside it on a narrow muzzle: neither reaches past the middle.
+        float breadth = Widest * radius * (float)Math.Sqrt((length * length * major.X * major.X) + (minor.X * minor.X));
+        radius *= Math.Min(1f, InHalf * at.Position.X / breadth);
+
         // Root below the skin, crest of the rim, edge of the bowl (doubled: the colours part there), floor of the bowl.
-        ReadOnlySpan<float> widths = stackalloc float[] { 1.45f, 1.05f, 0.86f, 0.86f };
+        ReadOnlySpan<float> widths = stackalloc float[] { Widest, 1.05f, 0.86f, 0.86f };
         ReadOnlySpan<float> lifts = stackalloc float[] { -0.30f, 0.17f, 0.16f, 0.16f };
         ReadOnlySpan<float> tilts = stackalloc float[] { 0.8f, 0.1f, -0.7f, -0.9f };
         ReadOnlySpan<float> lengths = stackalloc float[] { 0.9f, 0.98f, 1f, 1f };
