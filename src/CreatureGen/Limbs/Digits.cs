@@ -23,7 +23,7 @@ internal static class Digits
     private const float Closed = 0.75f;
 
     /// <summary>How far long toes under a body are turned out, in their splay: straight ahead they hold the legs apart like a wishbone.</summary>
-    internal const float TurnedOut = 0.45f;
+    internal const float TurnedOut = 0.28f;
 
     /// <summary>Radius of a nail, in those of its toe.</summary>
     private const float NailSize = 0.85f;

@@ -28,7 +28,7 @@ internal sealed class LegPath
     private const float Gathering = 0.8f;
 
     /// <summary>Share of the way from below its hip to the sagittal plane, as far as there is room, that a foot under the body of another leg is set in: straight down from the flanks four legs are those of a table from the front.</summary>
-    private const float Converging = 0.4f;
+    private const float Converging = 0.25f;
 
     // Height of a hip in distances of the foot from the sagittal plane: from the first on a leg is tall, at the second it is fully so.
     private const float Tall = 2.8f;

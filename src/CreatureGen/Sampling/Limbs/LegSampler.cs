@@ -364,7 +364,7 @@ internal sealed record LegStyle
     public LegStyle(CreatureBuilder builder)
     {
         RandomStream random = builder.Stream("leg style");
-        Stoutness = CreatureBuilder.Around(random, 1 + (0.05 * builder.Style), 0.08, 0.85, 1.25);
+        Stoutness = CreatureBuilder.Around(random, 1 + (0.05 * builder.Style), 0.11, 0.82, 1.28);
         bool soft = builder.Plan is BodyPlan.Digitigrade or BodyPlan.Plantigrade;
         FootSize = CreatureBuilder.Around(random, 1.25 + (0.1 * builder.Style), 0.1, 1, LargestFoot(builder, soft));
         Slimness = CreatureBuilder.Around(random, builder.Plan == BodyPlan.Unguligrade ? 1.02 : 1.12, 0.1, 0.85, 1.35);

@@ -5,6 +5,7 @@ using CreatureGen.Anatomy.Tails;
 using CreatureGen.Bodies;
 using CreatureGen.Blueprints;
 using CreatureGen.Maths;
+using CreatureGen.Seeding;
 using CreatureGen.Species;
 
 namespace CreatureGen.Sampling.Shapes;
@@ -89,7 +90,7 @@ internal static class TailFit
     private const int LastOfTail = 54;
 
     // Largest section at two thirds of a tail as the tables give it and at its tip, in its largest one, and the parts of what is too much that the last slices but one and the last give way by: what ends as thick as it is before is a finger from behind.
-    private const double LargestEnd = 0.42;
+    private static readonly (double Min, double Max) largestEnd = (0.26, 0.46);
     private const double LargestTip = 0.1;
     private const double BeforeEnd = 0.7;
     private const double AtEnd = 1.8;
@@ -267,7 +268,8 @@ internal static class TailFit
 
         BodyShape shape = StanceSampler.ShapeOf(builder);
         double largest = Largest(shape, FirstOfTail, LastOfTail);
-        double end = Math.Min(1, LargestEnd * largest / Largest(shape, StationRing.TailTwoThirds, StationRing.TailTwoThirds));
+        RandomStream random = builder.Stream("tail end");
+        double end = Math.Min(1, random.Uniform(largestEnd.Min, largestEnd.Max) * largest / Largest(shape, StationRing.TailTwoThirds, StationRing.TailTwoThirds));
         double tip = Math.Min(1, LargestTip * largest / Largest(shape, LastOfTail, LastOfTail));
         int last = slices.Length - 1;
         slices[last - 1] = Thinner(slices[last - 1], PortableMath.Pow(end, BeforeEnd * builder.Fitting));

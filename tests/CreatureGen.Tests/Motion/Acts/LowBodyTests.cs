@@ -8,6 +8,7 @@ using CreatureGen.Motion.Acts.Bodies;
 using CreatureGen.Rigging;
 using CreatureGen.Sampling;
 using CreatureGen.Tests.Motion.Falling;
+using CreatureGen.Tests.Motion.Kept;
 using Xunit;
 
 namespace CreatureGen.Tests.Motion.Acts;
@@ -38,7 +39,7 @@ public class LowBodyTests
     [InlineData(11200072UL, Explicit = true)]
     public void A_body_whose_back_slopes_lets_its_chest_down_farther_than_its_belly(ulong seed)
     {
-        CreatureAnimator animator = Performing(Strange(seed), "Lie", out ActAbility lie);
+        CreatureAnimator animator = Performing(new MotionProfile(KeptCreatures.Of(seed)), "Lie", out ActAbility lie);
         float stood = Lowest(animator, "Chest");
         Walkers.Run(animator, lie.SecondsToLast, Rate, default, FlatGround.Level);
         float down = (stood - Lowest(animator, "Chest")) / animator.Profile.Acts.Body.Legs!.BellyHeight;
