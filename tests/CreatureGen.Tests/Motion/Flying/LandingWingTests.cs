@@ -6,8 +6,8 @@ using CreatureGen.Creatures;
 using CreatureGen.Motion;
 using CreatureGen.Motion.Winged;
 using CreatureGen.Rigging;
-using CreatureGen.Sampling;
 using CreatureGen.Skinning;
+using CreatureGen.Tests.Motion.Kept;
 using Xunit;
 
 namespace CreatureGen.Tests.Motion.Flying;
@@ -24,7 +24,7 @@ public sealed class LandingWingTests
     [InlineData(10080019)]
     public void Wings_of_a_flier_that_comes_down_keep_off_the_ground(ulong seed)
     {
-        Creature creature = CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Flying });
+        Creature creature = KeptCreatures.Of(seed);
         var animator = new CreatureAnimator(creature);
         var ground = new FlatGround(Vector3.Zero, Vector3.UnitY);
         animator.Teleport(new RootPlace(Vector3.Zero, Quaternion.Identity), ground);
