@@ -44,7 +44,9 @@ internal static class LimbFold
             {
                 int joint = joints[i];
                 folded.Rotations[joint] = pose.Local.Rotations[joint];
-                pose.Local.Rotations[joint] = Rotation.Slerp(folded.Rotations[joint], belongs[i], home);
+
+                // What lies between two turns that a joint allows need not be one.
+                pose.Local.Rotations[joint] = SwingTwistLimit.ClampLocal(Rotation.Slerp(folded.Rotations[joint], belongs[i], home), profile.Skeleton.Joints[joint]);
             }
 
             Subtree.LocalToModel(profile.Skeleton, joints[0], pose.Local, pose.Model);

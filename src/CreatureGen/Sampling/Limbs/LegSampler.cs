@@ -355,6 +355,9 @@ internal sealed record LegStyle
     /// <summary>Claws of toes that have none in their species, on a mixed body: its toes are balls without.</summary>
     private const double ShortClaw = 0.6;
 
+    /// <summary>How much columns differ in stoutness: they have no other outline to be told by.</summary>
+    private const double SpreadOfColumns = 0.16;
+
     // Largest feet as they are drawn, those of columns, and of a mixed body those with paws and those of two legs, which balance makes larger still: larger ones are balls or as long as the leg.
     private const double Largest = 1.65;
     private const double LargestColumn = 1.12;
@@ -364,7 +367,7 @@ internal sealed record LegStyle
     public LegStyle(CreatureBuilder builder)
     {
         RandomStream random = builder.Stream("leg style");
-        Stoutness = CreatureBuilder.Around(random, 1 + (0.05 * builder.Style), 0.11, 0.82, 1.28);
+        Stoutness = CreatureBuilder.Around(random, 1 + (0.05 * builder.Style), builder.Plan == BodyPlan.Columnar ? SpreadOfColumns : 0.08, 0.85, 1.25);
         bool soft = builder.Plan is BodyPlan.Digitigrade or BodyPlan.Plantigrade;
         FootSize = CreatureBuilder.Around(random, 1.25 + (0.1 * builder.Style), 0.1, 1, LargestFoot(builder, soft));
         Slimness = CreatureBuilder.Around(random, builder.Plan == BodyPlan.Unguligrade ? 1.02 : 1.12, 0.1, 0.85, 1.35);

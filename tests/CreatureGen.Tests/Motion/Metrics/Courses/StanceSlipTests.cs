@@ -119,6 +119,6 @@ public sealed class StanceSlipTests
     {
         var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
         CourseReport report = MotionCourse.Of(profile).Single(course => course.Ground == CourseGround.Rough).Run(profile);
-        Assert.True(report.StanceSlip < 0.01f, $"{seed}: a stance slips by {report.StanceSlip}");
+        Assert.True(report.StanceSlip < 0.015f, $"{seed}: a stance slips by {report.StanceSlip}");
     }
 }
