@@ -42,9 +42,9 @@ internal static class NosePadShape
     {
         int first = builder.VertexCount;
         var bed = new NoseBed(pad, skin);
+        Span<Vector3> half = stackalloc Vector3[(Sides / 2) + 1];
         foreach (Vector2 loop in loops)
         {
-            Span<Vector3> half = stackalloc Vector3[(Sides / 2) + 1];
             for (int k = 0; k < half.Length; k++)
             {
                 PortableMath.SinCos(PortableMath.Tau * k / Sides, out double sine, out double cosine);
