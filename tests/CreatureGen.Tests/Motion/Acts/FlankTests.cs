@@ -33,21 +33,12 @@ public class FlankTests
         {
             var profile = new MotionProfile(Walkers.Of(plan, seed));
             ActAbility ability = profile.Acts.Find(act);
-            var animator = new CreatureAnimator(profile);
-            animator.Teleport(animator.Root, FlatGround.Level);
-            int chest = profile.Subject.Skeleton.IndexOf("Chest");
-            float stood = animator.ModelPose.Positions[chest].Y;
-            Vector3 left = LeftOf(animator, chest);
-            animator.Perform(ability);
-            Walkers.Run(animator, ability.SecondsToLast, Rate, default, FlatGround.Level);
-            float turned = (float)Math.Acos(Scalar.Clamp(Vec.Dot(left, LeftOf(animator, chest)), -1f, 1f));
-            float height = animator.ModelPose.Positions[chest].Y / stood;
-            animator.GoOn();
-            Walkers.Run(animator, ability.Seconds - ability.SecondsToLast + 0.5f, Rate, default, FlatGround.Level);
-            float again = animator.ModelPose.Positions[chest].Y / stood;
-            if (!(turned is > 1f and < 2.1f && height < 0.6f && again is > 0.95f and < 1.05f))
+            var lying = new Lying(profile, ability);
+            float height = lying.Height;
+            float again = lying.HeightAgain();
+            if (!(lying.Turned is > 1f and < 2.1f && height < 0.6f && again is > 0.95f and < 1.05f))
             {
-                wrong.Add(FormattableString.Invariant($"{seed}: turned by {turned:0.00}, chest at {height:0.00} of its height, {again:0.00} afterwards"));
+                wrong.Add(FormattableString.Invariant($"{seed}: turned by {lying.Turned:0.00}, chest at {height:0.00} of its height, {again:0.00} afterwards"));
             }
         }
 
@@ -73,22 +64,14 @@ public class FlankTests
             }
 
             turnedOver++;
-            var animator = new CreatureAnimator(profile);
-            animator.Teleport(animator.Root, FlatGround.Level);
-            int chest = profile.Subject.Skeleton.IndexOf("Chest");
-            float stood = animator.ModelPose.Positions[chest].Y;
-            Vector3 left = LeftOf(animator, chest);
-            animator.Perform(ability);
-            Walkers.Run(animator, ability.SecondsToLast, Rate, default, FlatGround.Level);
-            float turned = (float)Math.Acos(Scalar.Clamp(Vec.Dot(left, LeftOf(animator, chest)), -1f, 1f));
+            var lying = new Lying(profile, ability);
+            CreatureAnimator animator = lying.Animator;
             bool feetUp = profile.Legs!.Legs.All(leg => animator.ModelPose.Positions[leg.Ball].Y > animator.ModelPose.Positions[leg.Hip].Y);
             float lowest = profile.Fall.Value.Support.Lowest(animator.Root, animator.ModelPose, Vector3.UnitY, FlatGround.Level) / profile.Fall.Value.Ragdoll.Size;
-            animator.GoOn();
-            Walkers.Run(animator, ability.Seconds - ability.SecondsToLast + 0.5f, Rate, default, FlatGround.Level);
-            float again = animator.ModelPose.Positions[chest].Y / stood;
-            if (!(turned > 2.5f && feetUp && lowest is > -0.02f and < 0.015f && again is > 0.95f and < 1.05f))
+            float again = lying.HeightAgain();
+            if (!(lying.Turned > 2.5f && feetUp && lowest is > -0.02f and < 0.015f && again is > 0.95f and < 1.05f))
             {
-                wrong.Add(FormattableString.Invariant($"{seed}: turned by {turned:0.00}, feet up {feetUp}, {lowest:0.000} of its size above the ground, chest at {again:0.00} of its height afterwards"));
+                wrong.Add(FormattableString.Invariant($"{seed}: turned by {lying.Turned:0.00}, feet up {feetUp}, {lowest:0.000} of its size above the ground, chest at {again:0.00} of its height afterwards"));
             }
         }
 
@@ -165,5 +148,42 @@ public class FlankTests
     {
         Vector3 own = Rotation.Rotate(Rotation.Inverse(animator.Profile.Subject.Skeleton.ModelRotations[joint]), Vector3.UnitX);
         return Rotation.Rotate(animator.ModelPose.Rotations[joint], own);
+    }
+
+    /// <summary>Who has performed an act up to where that lasts.</summary>
+    private sealed class Lying
+    {
+        private readonly ActAbility ability;
+        private readonly int chest;
+        private readonly float stood;
+
+        public Lying(MotionProfile profile, ActAbility ability)
+        {
+            this.ability = ability;
+            Animator = new CreatureAnimator(profile);
+            Animator.Teleport(Animator.Root, FlatGround.Level);
+            chest = profile.Subject.Skeleton.IndexOf("Chest");
+            stood = Animator.ModelPose.Positions[chest].Y;
+            Vector3 left = LeftOf(Animator, chest);
+            Animator.Perform(ability);
+            Walkers.Run(Animator, ability.SecondsToLast, Rate, default, FlatGround.Level);
+            Turned = (float)Math.Acos(Scalar.Clamp(Vec.Dot(left, LeftOf(Animator, chest)), -1f, 1f));
+        }
+
+        public CreatureAnimator Animator { get; }
+
+        /// <summary>How far the chest has turned, radians.</summary>
+        public float Turned { get; }
+
+        /// <summary>How high the chest is, of where it stood.</summary>
+        public float Height => Animator.ModelPose.Positions[chest].Y / stood;
+
+        /// <summary>The same once it has gone on.</summary>
+        public float HeightAgain()
+        {
+            Animator.GoOn();
+            Walkers.Run(Animator, ability.Seconds - ability.SecondsToLast + 0.5f, Rate, default, FlatGround.Level);
+            return Height;
+        }
     }
 }
