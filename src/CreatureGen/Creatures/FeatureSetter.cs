@@ -115,15 +115,16 @@ internal sealed class FeatureSetter
             return;
         }
 
-        builder.Clear(SurfaceFinish.Horn);
-        NostrilSetter.AppendLeather(builder, blueprint, grown, palette);
-        if (builder.VertexCount > 0)
+        NoseBed? leather = NostrilSetter.BedOf(blueprint, grown);
+        if (leather is NoseBed bed)
         {
+            builder.Clear(SurfaceFinish.Horn);
+            NostrilSetter.AppendLeather(builder, bed, palette);
             AddRigid("Head");
         }
 
         builder.Clear();
-        NostrilSetter.Append(builder, blueprint, grown, coat, beak);
+        NostrilSetter.Append(builder, blueprint, grown, coat, beak, leather);
         AddRigid("Head");
     }
 

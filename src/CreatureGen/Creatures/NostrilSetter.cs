@@ -33,16 +33,20 @@ internal static class NostrilSetter
     // Direction of a nostril on a bare snout: it runs up and back.
     private const float Leaning = 0.9f;
 
-    /// <summary>Appends the nose of leather of a muzzle that ends in one.</summary>
-    public static void AppendLeather(PieceBuilder builder, CreatureBlueprint blueprint, GrownSurface grown, CoatPalette palette)
+    /// <summary>What the nose of leather of a muzzle that ends in one lies on; null for a muzzle that does not.</summary>
+    public static NoseBed? BedOf(CreatureBlueprint blueprint, GrownSurface grown)
     {
-        if (HasLeather(blueprint))
+        if (blueprint.Head.Beak != null || blueprint.Head.MuzzleSquareness <= LeatherFrom)
         {
-            var pad = new NosePad(grown.Skin.Shape);
-            var muzzle = new MuzzleFront(grown.Surface, pad);
-            NosePadShape.Append(builder, pad, muzzle.Ahead, LeatherColour(palette));
+            return null;
         }
+
+        var pad = new NosePad(grown.Skin.Shape);
+        return new NoseBed(pad, new MuzzleFront(grown.Surface, pad).Ahead);
     }
+
+    /// <summary>Appends a nose of leather.</summary>
+    public static void AppendLeather(PieceBuilder builder, in NoseBed bed, CoatPalette palette) => NosePadShape.Append(builder, bed, LeatherColour(palette));
 
     /// <summary>Appends both nostrils of a creature that has any. They move with the head.</summary>
     /// <param name="builder">Where they go.</param>
@@ -50,7 +54,8 @@ internal static class NostrilSetter
     /// <param name="grown">Its surface.</param>
     /// <param name="coat">Its colours.</param>
     /// <param name="beak">The beak that they are in; null for none.</param>
-    public static void Append(PieceBuilder builder, CreatureBlueprint blueprint, GrownSurface grown, CoatPainter coat, BeakSetter? beak)
+    /// <param name="leather">What the nose lies on that they are in; null for none.</param>
+    public static void Append(PieceBuilder builder, CreatureBlueprint blueprint, GrownSurface grown, CoatPainter coat, BeakSetter? beak, NoseBed? leather)
     {
         CoatPalette palette = coat.Palette;
         BodyShape shape = grown.Skin.Shape;
@@ -62,11 +67,9 @@ internal static class NostrilSetter
             Vector3 colour = beak.IsNostrilSoft ? BeakSetter.SoftColour(palette, coat.BeakColour) : coat.BeakColour;
             NostrilShape.Append(builder, beak.Nostril, shape.Forward(StationRing.MuzzleMiddle), (float)(InBeak * shape.Width[StationRing.MuzzleMiddle] * size), LongInBeak, colour);
         }
-        else if (HasLeather(blueprint))
+        else if (leather is NoseBed bed)
         {
-            var pad = new NosePad(shape);
-            var muzzle = new MuzzleFront(grown.Surface, pad);
-            NostrilShape.Append(builder, NosePadShape.Nostril(pad, muzzle.Ahead), pad.Up + (Vector3.UnitX * 0.5f), (float)(OnLeather * pad.HalfWidth * size), LongOnLeather, LeatherColour(palette));
+            NostrilShape.Append(builder, NosePadShape.Nostril(bed), bed.Pad.Up + (Vector3.UnitX * 0.5f), (float)(OnLeather * bed.Pad.HalfWidth * size), LongOnLeather, LeatherColour(palette));
         }
         else
         {
@@ -83,6 +86,4 @@ internal static class NostrilSetter
 
     /// <summary>The colour of a nose: a little lighter than that of the muzzle around it, or its nostrils would not be seen.</summary>
     private static Vector3 LeatherColour(CoatPalette palette) => Vec.Lerp(palette.Muzzle, palette.Base, PaleLeather);
-
-    private static bool HasLeather(CreatureBlueprint blueprint) => blueprint.Head.Beak == null && blueprint.Head.MuzzleSquareness > LeatherFrom;
 }

@@ -14,7 +14,6 @@ internal readonly struct NoseBed
     /// <summary>How far it falls back at the edge at most, in half widths.</summary>
     private const float Steepest = 0.6f;
 
-    private readonly NosePad pad;
     private readonly Func<Vector3, float> skin;
     private readonly float middle;
     private readonly float slope;
@@ -26,7 +25,7 @@ internal readonly struct NoseBed
     /// <param name="skin">How far the skin is ahead of a place of the pad's plane, metres.</param>
     public NoseBed(NosePad pad, Func<Vector3, float> skin)
     {
-        this.pad = pad;
+        Pad = pad;
         this.skin = skin;
         middle = skin(pad.Centre);
         float steepest = Steepest * pad.HalfWidth;
@@ -38,10 +37,13 @@ internal readonly struct NoseBed
         above = Scalar.Clamp((up + down) / (2f * Probe * Probe), -steepest, 0f);
     }
 
+    /// <summary>Where the nose is and how large.</summary>
+    public NosePad Pad { get; }
+
     /// <summary>How far it is ahead of the pad's plane, metres: nowhere behind the skin.</summary>
     /// <param name="x">Half widths from the middle.</param>
     /// <param name="y">Half heights from the middle.</param>
     public float At(float x, float y) => Math.Max(
         middle + (slope * y) + (aside * x * x) + (above * y * y),
-        skin(pad.Centre + (Vector3.UnitX * (x * pad.HalfWidth)) + (pad.Up * (y * pad.HalfHeight))));
+        skin(Pad.Centre + (Vector3.UnitX * (x * Pad.HalfWidth)) + (Pad.Up * (y * Pad.HalfHeight))));
 }

@@ -35,13 +35,11 @@ internal static class NosePadShape
 
     /// <summary>Appends the pad.</summary>
     /// <param name="builder">Where it goes.</param>
-    /// <param name="pad">Where it is and how large.</param>
-    /// <param name="skin">How far the skin is ahead of a place of the pad's plane, metres.</param>
+    /// <param name="bed">What it lies on.</param>
     /// <param name="colour">Linear RGB.</param>
-    public static void Append(PieceBuilder builder, NosePad pad, Func<Vector3, float> skin, Vector3 colour)
+    public static void Append(PieceBuilder builder, in NoseBed bed, Vector3 colour)
     {
         int first = builder.VertexCount;
-        var bed = new NoseBed(pad, skin);
         Span<Vector3> half = stackalloc Vector3[(Sides / 2) + 1];
         foreach (Vector2 loop in loops)
         {
@@ -49,7 +47,7 @@ internal static class NosePadShape
             {
                 PortableMath.SinCos(PortableMath.Tau * k / Sides, out double sine, out double cosine);
                 float x = k == 0 || 2 * k == Sides ? 0f : (float)sine * loop.X;
-                half[k] = On(pad, bed, x, (float)cosine * loop.X, loop.Y);
+                half[k] = On(bed, x, (float)cosine * loop.X, loop.Y);
             }
 
             Vector3 shade = colour * (loop.Y < 0f ? 0.7f : 1f);
@@ -57,25 +55,25 @@ internal static class NosePadShape
             {
                 // Counter-clockwise as seen from ahead, where the left is on the right.
                 Vector3 p = half[k > Sides / 2 ? Sides - k : k];
-                builder.Vertex(k > Sides / 2 ? p : new Vector3(-p.X, p.Y, p.Z), pad.Forward, shade);
+                builder.Vertex(k > Sides / 2 ? p : new Vector3(-p.X, p.Y, p.Z), bed.Pad.Forward, shade);
             }
         }
 
-        LoopLoft.Close(builder, first, Sides, On(pad, bed, 0f, 0f, loops[0].Y - 0.2f), colour * 0.7f, On(pad, bed, 0f, 0f, Crown), colour, 0);
+        LoopLoft.Close(builder, first, Sides, On(bed, 0f, 0f, loops[0].Y - 0.2f), colour * 0.7f, On(bed, 0f, 0f, Crown), colour, 0);
     }
 
     /// <summary>The place of the left nostril on it.</summary>
-    public static SurfacePoint Nostril(NosePad pad, Func<Vector3, float> skin)
+    public static SurfacePoint Nostril(in NoseBed bed)
     {
-        var bed = new NoseBed(pad, skin);
-        Vector3 aside = On(pad, bed, NosePad.NostrilAside + Aside, NosePad.NostrilAbove, EdgeLift) - On(pad, bed, NosePad.NostrilAside - Aside, NosePad.NostrilAbove, NostrilLift);
-        Vector3 above = On(pad, bed, NosePad.NostrilAside, NosePad.NostrilAbove + Aside, NostrilLift) - On(pad, bed, NosePad.NostrilAside, NosePad.NostrilAbove - Aside, NostrilLift);
-        return new SurfacePoint(On(pad, bed, NosePad.NostrilAside, NosePad.NostrilAbove, NostrilLift), Vec.Normalize(Vec.Cross(aside, above), pad.Forward));
+        Vector3 aside = On(bed, NosePad.NostrilAside + Aside, NosePad.NostrilAbove, EdgeLift) - On(bed, NosePad.NostrilAside - Aside, NosePad.NostrilAbove, NostrilLift);
+        Vector3 above = On(bed, NosePad.NostrilAside, NosePad.NostrilAbove + Aside, NostrilLift) - On(bed, NosePad.NostrilAside, NosePad.NostrilAbove - Aside, NostrilLift);
+        return new SurfacePoint(On(bed, NosePad.NostrilAside, NosePad.NostrilAbove, NostrilLift), Vec.Normalize(Vec.Cross(aside, above), bed.Pad.Forward));
     }
 
     /// <summary>A place over the bed, in half widths and half heights of the pad from its middle.</summary>
-    private static Vector3 On(NosePad pad, NoseBed bed, float x, float y, float lift)
+    private static Vector3 On(in NoseBed bed, float x, float y, float lift)
     {
+        NosePad pad = bed.Pad;
         y *= y > 0f ? Top : 1f;
         float breadth = y > 0f ? Scalar.Lerp(1f, AtTop, y * y) : Scalar.Lerp(1f, AtChin, -y);
         float groove = y < 0.4f ? Groove * (float)PortableMath.Exp(-(x * x) / (GrooveBreadth * GrooveBreadth)) * Scalar.Smooth((0.4f - y) / 0.6f) : 0f;

@@ -6,6 +6,10 @@ namespace CreatureGen.Maths;
 /// <summary>Small functions of one or a few numbers.</summary>
 internal static class Scalar
 {
+    /// <summary>x².</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float Square(float x) => x * x;
+
     /// <summary>Cubic ease x²(3 − 2x) of x clamped to 0..1: zero slope at both ends.</summary>
     public static double Smooth(double x)
     {

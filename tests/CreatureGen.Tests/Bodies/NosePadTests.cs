@@ -45,7 +45,8 @@ public sealed class NosePadTests
                 var pad = new NosePad(grown.Skin.Shape);
                 var muzzle = new MuzzleFront(grown.Surface, pad);
                 var builder = new PieceBuilder();
-                NosePadShape.Append(builder, pad, muzzle.Ahead, Vector3.One);
+                var bed = new NoseBed(pad, muzzle.Ahead);
+                NosePadShape.Append(builder, bed, Vector3.One);
                 Piece piece = builder.ToPiece(MaterialKind.Skin, PieceChecks.Anywhere);
                 PieceChecks.IsSound(piece);
                 PieceChecks.IsSymmetric(piece);
@@ -53,7 +54,7 @@ public sealed class NosePadTests
 
                 float crown = Vector3.Dot(piece.Positions[^1] - pad.Centre, pad.Forward);
                 Assert.InRange(crown - muzzle.Ahead(pad.Centre), 0.05f * pad.HalfWidth, 0.4f * pad.HalfWidth);
-                SurfacePoint nostril = NosePadShape.Nostril(pad, muzzle.Ahead);
+                SurfacePoint nostril = NosePadShape.Nostril(bed);
                 Assert.True(nostril.Position.X > 0.3f * pad.HalfWidth && Vector3.Dot(nostril.Normal, pad.Forward) > 0.4f, body);
             }
         }

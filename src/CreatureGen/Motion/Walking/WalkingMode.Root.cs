@@ -157,7 +157,8 @@ internal sealed partial class WalkingMode
             if (ticker.Begins)
             {
                 bool stops = Brink.IsAhead(body, placement, velocity, new Vector3(aside, 0f, goal), settings.Up, ground);
-                velocity.Ask(stops ? 0f : goal, stops ? 0f : aside, clock.ReachableTurn(stops ? 0f : goal, input.YawRate, settings.Gravity));
+                (float ahead, float across) = stops ? (0f, 0f) : (goal, aside);
+                velocity.Ask(ahead, across, clock.ReachableTurn(ahead, input.YawRate, settings.Gravity));
             }
 
             float h = ticker.Next(ref left);

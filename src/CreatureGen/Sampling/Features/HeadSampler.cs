@@ -16,9 +16,6 @@ internal static class HeadSampler
     /// <summary>Metres between an open jaw and the ground, with room for the chin and the gap between closed lips.</summary>
     private const double JawClearance = 0.05;
 
-    /// <summary>A mouth that is open no further shows no teeth, radians.</summary>
-    public const double MinToothed = 0.05;
-
     // Largest eyes of strange creatures, relative to those of the animal whose head it is: on a body of its own, and on one of another.
     private const double OwnEyes = 0.85;
     private const double MixedEyes = 0.68;

@@ -24,6 +24,9 @@ internal sealed class IndividualBody
 
     private const double LargestInsectHead = 1.35;
 
+    /// <summary>How far an individual with teeth can open its mouth at the least if its type's is open as far or farther, radians.</summary>
+    private const double LeastBite = 0.05;
+
     /// <summary>Shares of its traits that an individual may be left with, when its body cannot carry them all.</summary>
     private static readonly double[] strengths = { 1, 0.5, 0.25 };
 
@@ -163,7 +166,7 @@ internal sealed class IndividualBody
             return true;
         }
 
-        bool bites = type.Head.Mouth.Teeth == 0 || HeadSampler.WidestOpening(builder) >= Math.Min(type.Head.Mouth.Opening, HeadSampler.MinToothed);
+        bool bites = type.Head.Mouth.Teeth == 0 || HeadSampler.WidestOpening(builder) >= Math.Min(type.Head.Mouth.Opening, LeastBite);
         BodyShape s = builder.Shape;
         return bites && s.Y[^1] > s.Bottom[^1] && FeatureSampler.TailClears(builder, type.Features);
     }

@@ -79,7 +79,7 @@ internal sealed partial class FootPlanner
         ref Foot foot = ref feet[leg];
         bool inWall = foot.Plan.To.InWall;
         Vector3? before = foot.Plan.Aimed ? foot.Plan.Goal : null;
-        bool seeks = !foot.Plan.Aimed || Vec.LengthSquared(foot.Plan.Wanted - foot.Plan.Sought) > Square(SeekAgain * body.Legs[leg].Length * step.Frame.Scale);
+        bool seeks = !foot.Plan.Aimed || Vec.LengthSquared(foot.Plan.Wanted - foot.Plan.Sought) > Scalar.Square(SeekAgain * body.Legs[leg].Length * step.Frame.Scale);
         if (!seeks)
         {
             Place(leg, step, wanted, home, yaw, before, heading);

@@ -64,7 +64,7 @@ internal sealed partial class FootPlanner
 
             Vector3 away = frame.ToModel(feet[i].Plan.From.Position) - GaitFootholds.Under(body, i, activity, clock, 0f, 0f) - (Offset(i) * (1f - activity)) - Shift(i);
             away.Y = 0f;
-            if (Vec.LengthSquared(away) > Square(MinStep * body.LegLength) || Math.Abs(feet[i].Plan.From.YawFrom(frame)) > 2f * MinTurn)
+            if (Vec.LengthSquared(away) > Scalar.Square(MinStep * body.LegLength) || Math.Abs(feet[i].Plan.From.YawFrom(frame)) > 2f * MinTurn)
             {
                 return true;
             }

@@ -284,7 +284,7 @@ internal sealed partial class FootPlanner
     {
         Vector3 away = step.Frame.ToModel(feet[leg].Plan.From.Position) - body.Legs[leg].Home;
         away.Y = 0f;
-        return Vec.LengthSquared(away) > Square(Far * body.LegLength);
+        return Vec.LengthSquared(away) > Scalar.Square(Far * body.LegLength);
     }
 
     /// <summary>Whether a foot's next place is far enough from where it stands.</summary>
@@ -298,7 +298,7 @@ internal sealed partial class FootPlanner
         NextStance next = Next(leg, step, ahead, flight, out _);
         Vector3 away = step.Frame.ToModel(feet[leg].Plan.From.Position) - next.Place - Rotation.Rotate(AxisRotation.Yaw(next.Yaw), Shift(leg));
         away.Y = 0f;
-        return Vec.LengthSquared(away) > Square(MinStep * body.LegLength) || Math.Abs(feet[leg].Plan.From.YawFrom(step.Frame) - next.Yaw) > MinTurn;
+        return Vec.LengthSquared(away) > Scalar.Square(MinStep * body.LegLength) || Math.Abs(feet[leg].Plan.From.YawFrom(step.Frame) - next.Yaw) > MinTurn;
     }
 
     private void Lift(int leg, in StepContext step, float at)
@@ -342,7 +342,7 @@ internal sealed partial class FootPlanner
     {
         ref Foot foot = ref feet[leg];
         var astray = new Vector3(foot.Leg.Astray.X, 0f, foot.Leg.Astray.Z);
-        if (!foot.Plan.HasTarget || Vec.LengthSquared(astray) < Square(MaxAstray * body.Legs[leg].Length))
+        if (!foot.Plan.HasTarget || Vec.LengthSquared(astray) < Scalar.Square(MaxAstray * body.Legs[leg].Length))
         {
             return;
         }
@@ -352,7 +352,7 @@ internal sealed partial class FootPlanner
         foot.Plan.Shift = 0f;
         Place(leg, step, step.Frame.ToModel(meant.Position) + astray, body.Legs[leg].Home, meant.YawFrom(step.Frame), null, meant.Heading);
         foot.Plan.To.Attach(step.Ground as IMovingGround);
-        bool isNear = Vec.LengthSquared(astray) < Square(MaxDrag * body.Legs[leg].Length);
+        bool isNear = Vec.LengthSquared(astray) < Scalar.Square(MaxDrag * body.Legs[leg].Length);
         if (!foot.Plan.HasTarget || (isNear && Math.Abs(Vec.Dot(foot.Plan.To.Position - meant.Position, meant.Normal)) > OtherTread * body.Legs[leg].Length * step.Frame.Scale))
         {
             foot.Plan.To = meant;
@@ -365,6 +365,4 @@ internal sealed partial class FootPlanner
 
     /// <summary>How far a foot is set off an edge, metres of the model.</summary>
     private Vector3 Shift(int leg) => new(0f, 0f, feet[leg].Plan.Shift);
-
-    private static float Square(float x) => x * x;
 }

@@ -92,7 +92,7 @@ internal sealed partial class FootingSearch
         if (!found && before is Vector3 earlier)
         {
             Vector3 there = step.Frame.ToModel(earlier);
-            if (Square(there.X - wanted.X) + Square(there.Z - wanted.Z) < Square(KeepsTo * shape.Length))
+            if (Scalar.Square(there.X - wanted.X) + Scalar.Square(there.Z - wanted.Z) < Scalar.Square(KeepsTo * shape.Length))
             {
                 target = there;
                 found = Down(step, target, out hit);
@@ -145,8 +145,6 @@ internal sealed partial class FootingSearch
 
         return true;
     }
-
-    private static float Square(float x) => x * x;
 
     /// <summary>Where a heading points; most feet point straight ahead.</summary>
     private static Vector3 Ahead(float yaw)

@@ -44,8 +44,6 @@ internal readonly record struct NextStance(Vector3 Root, float Yaw, Vector3 Home
         Vector3 landing = step.RootVelocity.Predict(flight, out float turned);
         Vector3 away = Rotation.Rotate(AxisRotation.Yaw(-turned), Place - landing) - Home;
         StepRange range = body.StepRanges[leg];
-        return Square(away.X / range.Aside) + Square(away.Z / range.Ahead) <= 1f;
+        return Scalar.Square(away.X / range.Aside) + Scalar.Square(away.Z / range.Ahead) <= 1f;
     }
-
-    private static float Square(float x) => x * x;
 }
