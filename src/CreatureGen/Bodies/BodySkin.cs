@@ -186,10 +186,9 @@ internal sealed class BodySkin
                 double height = Math.Abs(y) / Math.Max(shape.Top[ring], 1e-3);
                 return (float)(-Scalar.Smooth((ring - 46) / 8.0) * fork * 0.16 * PortableMath.Pow(height, 1.6));
             case TailStyle.Fluke:
-                // The tips sweep back, no farther than the rings are apart, and between them is a notch.
+                // The tips sweep back, no farther than the rings are apart.
                 double lobes = Math.Min(0.56 * tail.Fork * tail.Size, 3.4 * tailStep);
-                double notch = 0.16 * PortableMath.Pow(Math.Max(0, 1 - across), 3);
-                return (float)(Scalar.Smooth((ring - 46) / 7.0) * (0.02 + (lobes * (notch - PortableMath.Pow(across, 1.4)))));
+                return (float)(Scalar.Smooth((ring - 46) / 7.0) * (0.02 - (lobes * FlukeTail.EdgeAt(across))));
             case TailStyle.Feathers:
                 double q = Scalar.Smooth((ring - 46) / 8.0);
                 double edge = Math.Min(1, across);

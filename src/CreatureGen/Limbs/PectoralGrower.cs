@@ -16,8 +16,9 @@ internal static class PectoralGrower
     /// <summary>Share of the length over which a fin goes over from its socket to its outline.</summary>
     private const float Rooted = 0.3f;
 
-    /// <summary>Share of the length from which on the edges draw together, so that no tip is cut off straight.</summary>
-    private const float RoundedFrom = 0.86f;
+    /// <summary>Share of the length from which on the edges draw together in half an ellipse, so that no tip is cut off straight, and what is left of the chord at its end.</summary>
+    private const float RoundedFrom = 0.72f;
+    private const float Tip = 0.1f;
 
     // Half thickness of a fin at its root in lengths, where along the chord it is thickest, how much thinner it is at its tip, and where along the fin it begins to run out: with a thick end the tip is sawn off.
     private const float Thickness = 0.073f;
@@ -79,7 +80,7 @@ internal static class PectoralGrower
         float Rounded(float s)
         {
             float x = Math.Max(0f, (s - RoundedFrom) / (1f - RoundedFrom));
-            return 1f - (0.85f * x * x);
+            return Math.Max(Tip, (float)Math.Sqrt(1f - (x * x)));
         }
 
         float Stretch(FlankFin outline) => width / (float)outline.Depth;

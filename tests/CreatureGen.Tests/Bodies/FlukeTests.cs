@@ -1,5 +1,6 @@
 using System;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Tails;
 using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
 using CreatureGen.Sampling;
@@ -39,5 +40,20 @@ public sealed class FlukeTests
         }
 
         Assert.True(flukes > 3);
+    }
+
+    [Fact]
+    public void The_rear_edge_of_a_fluke_is_full_beside_its_notch_and_hollow_before_its_tips()
+    {
+        // Against the straight line from the notch to the tip.
+        double Fullness(double across) => FlukeTail.EdgeAt(across) - (FlukeTail.EdgeAt(0) * (1 - across)) - across;
+        Assert.True(Fullness(0.2) > 0.15);
+        Assert.True(Fullness(0.85) < -0.05);
+        Assert.True(FlukeTail.EdgeAt(0) < -0.1);
+        Assert.Equal(1, FlukeTail.EdgeAt(1), 12);
+        for (int i = 1; i <= 100; i++)
+        {
+            Assert.True(FlukeTail.EdgeAt(i / 100.0) > FlukeTail.EdgeAt((i - 1) / 100.0));
+        }
     }
 }
