@@ -32,7 +32,7 @@ internal struct PostureFade
     private const float LongestTime = 0.3f;
 
     /// <summary>Radians per second at which a foot pitches at most: where a change of gait hurries its stance on, it would be thrown up.</summary>
-    private const float FastestPitch = 50f;
+    private const float FastestPitch = 28f;
 
     private FootPosture difference;
     private float fraction;

@@ -47,7 +47,7 @@ internal static class FootRoll
     private const float ToeFraction = 0.8f;
 
     /// <summary>Radians per second at which toes leave the ground at most: in the short stances of a fast gallop they roll off less far.</summary>
-    private const float FastestRoll = 30f;
+    private const float FastestRoll = 20f;
 
     /// <summary>Speed backwards, of √(gℓ), from which on feet do not roll over their toes.</summary>
     private const float BackingSpeed = 0.14f;
