@@ -75,7 +75,8 @@ internal static class MidlineFinGrower
                 {
                     // Chord lines instead of columns: the tip overhangs without folding.
                     (float a, float b) = form?.Overhang is (double Front, double Rear) over ? Veil(over, s) : Shark(s);
-                    p = OnMidline(midline, a + ((b - a) * u)) + (meanUp * ((height * s) + (Lift * Scalar.Smooth(s / 0.12f))));
+                    float ray = form is null ? 1f : outline[r];
+                    p = OnMidline(midline, a + ((b - a) * u)) + (meanUp * ((height * ray * s) + (Lift * Scalar.Smooth(s / 0.12f))));
                 }
                 else
                 {
@@ -132,7 +133,7 @@ internal static class MidlineFinGrower
     /// <summary>Where the chord of a shark's fin begins and ends over the base: its front bends over to the rear at the tip, which would be cut off level.</summary>
     private static (float Front, float Rear) Shark(float s) => (
         (0.90f * (float)PortableMath.Pow(s, 0.85)) + (0.12f * (float)PortableMath.Pow(s, 6)),
-        1f + (0.08f * s * s) - (0.12f * (float)PortableMath.Sin(PortableMath.Pi * s)));
+        1f + (0.08f * s * s) - (0.12f * (float)PortableMath.Sin(PortableMath.Pi * s)) - (0.05f * (float)PortableMath.Pow(s, 6)));
 
     /// <summary>The same of a fin that hangs over the rear of its base.</summary>
     private static (float Front, float Rear) Veil((double Front, double Rear) over, float s) => (
@@ -142,9 +143,12 @@ internal static class MidlineFinGrower
     private static float Outline(FinStyle style, int row, float u) => style switch
     {
         FinStyle.Shark => Math.Max(0.02f, (float)(PortableMath.Pow(Scalar.Clamp(u / 0.45, 0, 1), 0.9) * PortableMath.Pow(Scalar.Clamp((1.0 - u) / 0.3, 0, 1), 0.6))),
-        FinStyle.Spiny => (float)PortableMath.Pow(PortableMath.Sin(PortableMath.Pi * Scalar.Clamp((u * 0.9) + 0.08, 0, 1)), 0.6) * (row % 2 == 1 ? 1f : 0.68f),
-        _ => (float)PortableMath.Pow(PortableMath.Sin(PortableMath.Pi * Scalar.Clamp((u * 0.96) + 0.03, 0, 1)), 0.7),
+        FinStyle.Spiny => Arch(u) * (row % 2 == 1 ? 1f : 0.68f),
+        _ => Arch(u),
     };
+
+    /// <summary>The height of a sail over its base: highest ahead of its middle, and run out at both ends, where it would be cut off upright.</summary>
+    private static float Arch(float u) => Math.Max(0.03f, (float)PortableMath.Sin(PortableMath.Pi * PortableMath.Pow(u, 0.85)));
 
     private static float Shear(FinBlueprint fin, float height, Vector3[] midline, float[] outline)
     {

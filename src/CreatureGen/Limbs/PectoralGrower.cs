@@ -20,6 +20,9 @@ internal static class PectoralGrower
     private const float RoundedFrom = 0.72f;
     private const float Tip = 0.1f;
 
+    /// <summary>Where along the chord they meet: near the leading edge, or the corner behind the tip of a swept fin would be cut off straight.</summary>
+    private const float TipChord = 0.3f;
+
     // Half thickness of a fin at its root in lengths, where along the chord it is thickest, how much thinner it is at its tip, and where along the fin it begins to run out: with a thick end the tip is sawn off.
     private const float Thickness = 0.073f;
     private const float Thickest = 0.3f;
@@ -68,9 +71,9 @@ internal static class PectoralGrower
         Vector3 Lift(float s) => skin * (0.13f * length * Scalar.Smooth(s / 0.25f));
         Vector3 Lead(float s) => centre + Lift(s) + (outward * (length * s)) - (Back(s) * Ahead(s));
         Vector3 Trail(float s) => centre + Lift(s) + (skin * (length * 0.20f * Scalar.Smooth(s / 0.15f) * (1f - s))) + (outward * (length * s)) + (Back(s) * Behind(s));
-        float Ahead(float s) => Middle(s) + (Rounded(s) * (LeadOf(s) - Middle(s)));
-        float Behind(float s) => (Rounded(s) * (TrailOf(s) + Middle(s))) - Middle(s);
-        float Middle(float s) => (LeadOf(s) - TrailOf(s)) / 2f;
+        float Ahead(float s) => (Rounded(s) * (LeadOf(s) + Tipward(s))) - Tipward(s);
+        float Behind(float s) => (Rounded(s) * (TrailOf(s) - Tipward(s))) + Tipward(s);
+        float Tipward(float s) => Scalar.Lerp(-LeadOf(s), TrailOf(s), TipChord);
         float LeadOf(float s) => form is null
             ? (root * (1f - s)) + (0.05f * length * (float)PortableMath.Sin(PortableMath.Pi * s))
             : Scalar.Lerp(root, -length * Stretch(form) * (float)form.LeadAt(s), Scalar.Smooth(s / Rooted));

@@ -11,7 +11,7 @@ internal sealed class MidlineFin
     /// <summary>Takes points from the front of the base, 0, to its rear, 1, the highest 1 high.</summary>
     public MidlineFin(params (double X, double Y)[] outline) => this.outline = outline;
 
-    /// <summary>How far the foremost ray leans back at its tip, in lengths of the base, where all rays are as long as the fin is high; null where each has its own height.</summary>
+    /// <summary>How far the foremost ray leans back at its tip and the rearmost hangs over, in lengths of the base; null where rays lean as the fin is swept.</summary>
     public (double Front, double Rear)? Overhang { get; init; }
 
     /// <summary>The outline of a style; null for sails, sharks' and spiny fins.</summary>

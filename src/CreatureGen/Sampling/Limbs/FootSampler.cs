@@ -20,9 +20,14 @@ internal static class FootSampler
     private static readonly Weighted<FootStyle>[] any =
         Weights.Of((FootStyle.Plain, 0.6), (FootStyle.Paw, 1), (FootStyle.Web, 1), (FootStyle.Talon, 1), (FootStyle.Sucker, 0.8), (FootStyle.Stump, 0.8));
 
-    /// <summary>The feet with toes of a creature.</summary>
+    /// <summary>The feet with toes of a creature: webbed on who swims by them.</summary>
     public static FootStyle Toes(CreatureBuilder builder)
     {
+        if (builder.Kind == LocomotionKind.Swimming)
+        {
+            return FootStyle.Web;
+        }
+
         RandomStream random = builder.Stream("feet");
         SpeciesProfile legs = builder.Parents.Legs;
         bool strange = random.Chance(AnyFeet * builder.Strangeness);

@@ -87,6 +87,10 @@ internal static class OwnLegs
         }
     }
 
+    /// <summary>Least thickness of a swimmer's leg, part of the depth of its body there, and how much larger its feet are: thin arms with small hands on a full body were sticks.</summary>
+    private const double PaddleThickness = 0.25;
+    private const double PaddleFoot = 1.35;
+
     /// <summary>Hangs the legs of a swimmer that has any: before a tail fin that drives it hind legs would hang in its way, as whales and sea cows know.</summary>
     public static void Paddle(CreatureBuilder builder, LegStyle style)
     {
@@ -96,6 +100,7 @@ internal static class OwnLegs
         }
 
         style = StyleOf(builder, style, preset);
+        style = style with { FootSize = PaddleFoot * style.FootSize };
         SpineMeasure measure = LegSampler.Measure(builder);
         double reach = CreatureBuilder.Between(builder.Stream("reach"), preset.Reach);
         bool frontOnly = FinSampler.IsDrivenByTailFin(builder) && builder.MinLegPairs < preset.Sites.Length;
@@ -107,7 +112,7 @@ internal static class OwnLegs
             }
 
             SpineSection section = measure.At(site.Ring);
-            double thickness = preset.Thickness * site.Thickness;
+            double thickness = Math.Max(preset.Thickness * site.Thickness, PaddleThickness * section.Thickness);
             SocketBlueprint socket = SocketSizing.Size(
                 site.Ring, site.Segment, thickness, thickness * 0.8, section.RingSpacing, SocketSizing.SegmentSpacing(section.HipWidth, section.Thickness), style.Toes, SocketBounds.Limb);
             LegSampler.Add(builder, style, site.Archetype, LegStance.Hanging, socket, thickness, preset.HangingLength, reach * site.Reach, site.Azimuth, 0, SocketBounds.Limb.Pad);
