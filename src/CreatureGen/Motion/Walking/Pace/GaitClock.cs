@@ -17,6 +17,9 @@ internal sealed class GaitClock
     /// <summary>The slowest that a change of gaits makes the clock, as part of the new gait's own frequency.</summary>
     private const float SlowestFraction = 0.1f;
 
+    /// <summary>Cycles per second that a body that goes takes at the least, √(g/leg): as it turns back its speed goes through nothing, and a foot in the air would wait there for a place ever farther off.</summary>
+    private const float SlowestGoing = 0.08f;
+
     private const float LagPerCycle = 0.30f;
     private const float DutyPerCycle = 0.35f;
     private const float ShapeRate = 2f;
@@ -226,7 +229,7 @@ internal sealed class GaitClock
         float kept = velocity.IsToStand || isKept ? Frequency - (fall * gravity / body.LegLength * dt) : 0f;
         isKept = kept > needed;
         float tempo = Tempo;
-        Frequency = Math.Max(needed, kept);
+        Frequency = Math.Max(Math.Max(needed, kept), SlowestGoing * (float)Math.Sqrt(gravity / body.LegLength));
         float length = Math.Min(measuredLength * straight / Frequency, 1f);
         Length = dt > 0f ? Length + ((length - Length) * lengthDecay.Fraction(GainRate * dt)) : length;
         tempoRest = changes ? tempo - Frequency : tempoRest - (tempoRest * tempoDecay.Fraction(TempoRate * dt));

@@ -4,7 +4,7 @@ using CreatureGen.Anatomy;
 using CreatureGen.Anatomy.Fins;
 using Xunit;
 
-namespace CreatureGen.Tests.Anatomy;
+namespace CreatureGen.Tests.Limbs;
 
 public sealed class MidlineFinTests
 {
