@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
@@ -46,6 +47,26 @@ public sealed class NeckFitTests
 
         Assert.InRange(heads, 20, Count);
         Assert.True(seen >= Seen * heads, FormattableString.Invariant($"{seen} of {heads} heads are seen"));
+    }
+
+    [Fact]
+    public void Half_of_the_head_of_a_sprawler_and_of_a_biped_is_carried_above_the_back()
+    {
+        int heads = 0;
+        int above = 0;
+        foreach ((CreatureBlueprint creature, BodyShape shape) in DrawnShapes.Of(RequestedKind.Walking, 1, First, Count))
+        {
+            if (creature.Plan is BodyPlan.Sprawling or BodyPlan.Theropod && SpeciesCatalogue.Find(creature.Body.Blend.First).Class != AnimalClass.Arthropod)
+            {
+                double back = Enumerable.Range(StationRing.Shoulder, StationRing.Pelvis + 1 - StationRing.Shoulder).Max(ring => shape.Y[ring] + shape.Top[ring]);
+                double height = shape.Top[StationRing.Cranium] + shape.Bottom[StationRing.Cranium];
+                heads++;
+                above += shape.Y[StationRing.Cranium] + shape.Top[StationRing.Cranium] > back + (0.5 * height) ? 1 : 0;
+            }
+        }
+
+        Assert.InRange(heads, 20, Count);
+        Assert.True(above > 0.75 * heads, FormattableString.Invariant($"{above} of {heads} heads are above the back"));
     }
 
     [Fact]

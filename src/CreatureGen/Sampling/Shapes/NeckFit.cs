@@ -18,9 +18,9 @@ internal static class NeckFit
     private const double ThickNeck = 0.8;
     private const double SlenderNeck = 0.42;
 
-    /// <summary>What of a head is seen over a back on legs under it or in the air, in heights of the head, and most degrees that the neck is raised for it.</summary>
-    private const double Seen = 0.5;
-    private const double MostRaised = 26;
+    /// <summary>What of a head is seen over the back of what does not swim, in heights of the head, and most degrees that the neck is raised for it.</summary>
+    private const double Seen = 0.9;
+    private const double MostRaised = 34;
 
     /// <summary>The posture with a neck that is raised where its head would be hidden behind the back, and laid down where it is thick and steep.</summary>
     public static BodyPosture Carry(CreatureBuilder builder)
@@ -35,7 +35,7 @@ internal static class NeckFit
         BodyShape shape = StanceSampler.ShapeOf(builder);
         double slender = Scalar.Smooth((ThickNeck - (shape.Width[StationRing.NeckMiddle] / shape.Width[StationRing.Ribs])) / (ThickNeck - SlenderNeck));
         double steepest = builder.Kind == LocomotionKind.Swimming ? Scalar.Lerp(SteepestThickInWater, SteepestSlenderInWater, slender) : Scalar.Lerp(SteepestThick, SteepestSlender, slender);
-        bool behind = PlanTraits.IsAboveLegs(builder.Plan) || (builder.Plan == BodyPlan.Flapping && builder.Species.Class != AnimalClass.Bird);
+        bool behind = builder.Kind != LocomotionKind.Swimming && !(builder.Plan == BodyPlan.Flapping && builder.Species.Class == AnimalClass.Bird);
         double rise = PortableMath.Atan2(shape.Y[StationRing.Cranium] - shape.Y[StationRing.NeckBase], shape.Z[StationRing.Cranium] - shape.Z[StationRing.NeckBase]);
         double carried = Math.Min(rise + (behind ? Hidden(shape) : 0), Scalar.Radians(steepest));
         return drawn with { Neck = drawn.Neck + (builder.Fitting * (carried - rise)) };
