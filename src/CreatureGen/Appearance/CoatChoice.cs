@@ -24,6 +24,9 @@ internal static class CoatChoice
     /// <summary>Colour of the tip of the tail.</summary>
     public const int TailTip = 107;
 
+    /// <summary>Whether the head is darker or paler than the trunk.</summary>
+    public const int HeadTone = 108;
+
     /// <summary>Uniform 0..1.</summary>
     public static float Of(int patternSeed, int decision) => LatticeHash.Unit(LatticeHash.Bits(patternSeed, decision, 0, 0));
 }

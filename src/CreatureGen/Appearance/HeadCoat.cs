@@ -44,6 +44,22 @@ internal sealed class HeadCoat
     /// <summary>How far back the leather of a nose may reach over its bridge, relative to the nostrils.</summary>
     private const double LeatherEnd = 0.9;
 
+    // Lightness, as OKLCH has it, beyond which nothing is made lighter or darker to be told from a coat: it goes to its other side.
+    private const double Darkest = 0.16;
+    private const double Palest = 0.94;
+
+    /// <summary>Share of the muzzle's colour on a bare snout.</summary>
+    private const float BarePatch = 0.42f;
+
+    // Least distance, as OKLAB has it, of what a face wears from the coat of the face: of markings, muzzles and beaks.
+    private const double MarkApart = 0.16;
+    private const double MuzzleApart = 0.14;
+    private const double BeakApart = 0.2;
+
+    // The edge of a beak that is nothing but painted: its breadth in lengths of the front of the snout, and its shade.
+    private const double EdgeBreadth = 0.16;
+    private const float EdgeShade = 0.5f;
+
     // The skin below the horn of a beak: its shade, and how far ahead of the edge it begins, rings.
     private const float UnderHorn = 0.7f;
     private const float HornCover = 0.4f;
@@ -56,6 +72,7 @@ internal sealed class HeadCoat
     private readonly Vector3 paleColour;
     private readonly float dark;
     private readonly NosePad leather;
+    private readonly HeadTone? tone;
 
     public HeadCoat(CoatPalette palette, CoatSubject subject, CoatBlueprint coat)
     {
@@ -70,15 +87,17 @@ internal sealed class HeadCoat
         float accent = vivid * (subject.Mark == HeadMark.Hood ? 0.12f : 0.42f);
         bool bright = subject.Mark != HeadMark.None && mark < accent;
         ColourBlueprint marked = mark < accent ? coat.Accent : mark < 0.8f ? coat.Pattern : subject.Mark == HeadMark.Hood ? coat.Limb : coat.Belly;
-        markColour = OklchColour.ToLinearRgb(marked);
+        tone = subject.Mark == HeadMark.Hood ? null : new HeadTone(coat);
+        ColourBlueprint skin = tone != null ? coat.Base with { Lightness = tone.Lightness } : marked;
+        markColour = OklchColour.ToLinearRgb(tone != null ? Apart(marked, skin, MarkApart) : Apart(marked, coat.Base, MarkApart));
 
         // Rings, lips and muzzles are darker than the coat; on a dark one nothing would be seen of them, so they are paler there, as those of bears and badgers are.
-        double face = subject.Mark == HeadMark.Hood ? marked.Lightness : coat.Base.Lightness;
+        double face = tone != null ? Math.Min(tone.Lightness, coat.Base.Lightness) : marked.Lightness;
         dark = 1f - Scalar.Smooth(((float)face - Unseen) / (Seen - Unseen));
         paleColour = AtLeast(coat.Belly, PaleLightness, chroma: 0);
-        BeakColour = Vec.Lerp(palette.Muzzle, AtLeast(coat.Muzzle, PaleBeak, HornyChroma), dark);
+        BeakColour = Vec.Lerp(OklchColour.ToLinearRgb(Apart(coat.Muzzle, skin, BeakApart)), AtLeast(coat.Muzzle, PaleBeak, HornyChroma), dark);
         Vector3 ring = bright || CoatChoice.Of(patternSeed, CoatChoice.EyeRing) > 0.4f * vivid ? palette.Limb * 0.6f : palette.Accent;
-        Vector3 muzzle = CoatChoice.Of(patternSeed, CoatChoice.Muzzle) < 0.5f ? palette.Belly : palette.Limb;
+        Vector3 muzzle = OklchColour.ToLinearRgb(Apart(CoatChoice.Of(patternSeed, CoatChoice.Muzzle) < 0.5f ? coat.Belly : coat.Limb, skin, MuzzleApart));
         ringColour = Vec.Lerp(ring, paleColour, dark);
         muzzleColour = Vec.Lerp(muzzle, paleColour, dark);
     }
@@ -94,6 +113,7 @@ internal sealed class HeadCoat
             return colour;
         }
 
+        colour = tone?.Over(colour, place.Ring) ?? colour;
         colour = Vec.Lerp(colour, markColour, 0.9f * HeadMarks.At(subject.Mark, place.Ring, place.Around));
         colour = EyeRing(colour, place);
         colour = Snout(colour, place);
@@ -103,6 +123,21 @@ internal sealed class HeadCoat
     /// <summary>A colour made as light and as strong as asked for where it is less, linear RGB.</summary>
     private static Vector3 AtLeast(ColourBlueprint colour, double lightness, double chroma) =>
         OklchColour.ToLinearRgb(Math.Max(colour.Lightness, lightness), Math.Max(colour.Chroma, chroma), colour.Hue);
+
+    /// <summary>A colour made so much lighter or darker that it is told from another, where it is not.</summary>
+    private static ColourBlueprint Apart(ColourBlueprint colour, ColourBlueprint from, double least)
+    {
+        double lighter = colour.Lightness - from.Lightness;
+        double square = (colour.Chroma * colour.Chroma) + (from.Chroma * from.Chroma) - (2 * colour.Chroma * from.Chroma * PortableMath.Cos(colour.Hue - from.Hue));
+        double lacks = Math.Sqrt(Math.Max(0, (least * least) - square));
+        if (Math.Abs(lighter) >= lacks)
+        {
+            return colour;
+        }
+
+        bool up = lighter > 0 ? from.Lightness + lacks < Palest : from.Lightness - lacks < Darkest;
+        return colour with { Lightness = from.Lightness + (up ? lacks : -lacks) };
+    }
 
     /// <summary>Lips are a shade darker than what is around them, and darkest along the line in which they meet.</summary>
     private Vector3 Lips(Vector3 colour, float distance)
@@ -138,13 +173,14 @@ internal sealed class HeadCoat
             // Paler towards its root, where its edge meets the feathers, and dark at the tip.
             float beak = Scalar.Smooth((float)((arc[6] - place.Arc) / (0.25 * arc[2])));
             float shade = Scalar.Lerp(0.72f, 1.05f, Scalar.Smooth((float)(place.Arc / (0.6 * arc[6]))));
-            return Vec.Lerp(colour, BeakColour * shade, beak);
+            float edge = Scalar.Smooth((float)(1 - (Math.Abs(arc[6] - (0.12 * arc[2]) - place.Arc) / (EdgeBreadth * arc[2]))));
+            return Vec.Lerp(colour, BeakColour * shade, beak) * Scalar.Lerp(1f, EdgeShade, edge);
         }
 
         float patch = Scalar.Smooth((float)((arc[8] - place.Arc) / arc[4]));
         if (subject.Snout == SnoutKind.Bare)
         {
-            return Vec.Lerp(colour, muzzleColour, PalePatch * dark * patch);
+            return Vec.Lerp(colour, muzzleColour, Scalar.Lerp(BarePatch, PalePatch, dark) * patch);
         }
 
         colour = Vec.Lerp(colour, muzzleColour, Scalar.Lerp(0.55f, PalePatch, dark) * patch);

@@ -25,21 +25,31 @@ internal enum HeadMark
 
     /// <summary>A stripe from nose to brow.</summary>
     Blaze,
+
+    /// <summary>A band across the face through both eyes.</summary>
+    Mask,
 }
 
 /// <summary>Choice and outline of head markings.</summary>
 internal static class HeadMarks
 {
-    /// <summary>The marking that goes with a coat's pattern seed: none for one creature in four.</summary>
+    // Where a hood runs out, rings: over the length of a neck, in scallops around it.
+    private const float HoodEnd = 21.5f;
+    private const float HoodFade = 6.5f;
+    private const float Scallop = 0.7f;
+    private const float Scallops = 6f;
+
+    /// <summary>The marking that goes with a coat's pattern seed: none for one creature in six.</summary>
     public static HeadMark FromSeed(int patternSeed)
     {
         float draw = CoatChoice.Of(patternSeed, CoatChoice.Mark);
-        return draw < 0.25f ? HeadMark.None
-            : draw < 0.39f ? HeadMark.Cheek
-            : draw < 0.53f ? HeadMark.EyeLine
-            : draw < 0.67f ? HeadMark.Bib
-            : draw < 0.78f ? HeadMark.Crown
-            : draw < 0.90f ? HeadMark.Blaze
+        return draw < 0.17f ? HeadMark.None
+            : draw < 0.29f ? HeadMark.Cheek
+            : draw < 0.43f ? HeadMark.EyeLine
+            : draw < 0.56f ? HeadMark.Bib
+            : draw < 0.68f ? HeadMark.Crown
+            : draw < 0.79f ? HeadMark.Blaze
+            : draw < 0.91f ? HeadMark.Mask
             : HeadMark.Hood;
     }
 
@@ -49,9 +59,9 @@ internal static class HeadMarks
         switch (mark)
         {
             case HeadMark.Hood:
-                return Scalar.Smooth((19.5f - ring) / 1.2f);
+                return Scalar.Smooth((HoodEnd - ring - (Scallop * (float)PortableMath.Cos(Scallops * around))) / HoodFade);
             case HeadMark.Crown:
-                return Scalar.Smooth((0.75f - around) / 0.2f) * Scalar.Smooth((18f - ring) / 2f) * Scalar.Smooth((ring - 5f) / 2f);
+                return Scalar.Smooth((0.75f - around) / 0.2f) * Scalar.Smooth((20f - ring) / 4f) * Scalar.Smooth((ring - 5f) / 2f);
             case HeadMark.Cheek:
                 float dr = (ring - 12.8f) / 3.0f;
                 float da = (around - 1.75f) / 0.55f;
@@ -63,6 +73,8 @@ internal static class HeadMarks
                 return Scalar.Smooth((around - 2.10f) / 0.25f) * Scalar.Smooth((ring - 15f) / 2f) * Scalar.Smooth((27f - ring) / 3f);
             case HeadMark.Blaze:
                 return Scalar.Smooth((0.38f - around) / 0.22f) * Scalar.Smooth((12f - ring) / 2f);
+            case HeadMark.Mask:
+                return Scalar.Smooth((2.6f - System.Math.Abs(ring - 10.4f + (1.2f * (around - 1.2f)))) / 1.1f) * Scalar.Smooth((1.95f - around) / 0.4f);
             default:
                 return 0f;
         }

@@ -67,7 +67,7 @@ public sealed class CoatPainterTests
                 CoatSubject subject = Subject();
                 subject.Snout = snout;
                 subject.Tail = (TailStyle)((int)kind % 6);
-                subject.Mark = (HeadMark)((int)kind % 7);
+                subject.Mark = (HeadMark)((int)kind % Enum.GetValues<HeadMark>().Length);
                 Assert.All(Paint(surface, normals, tabby with { PatternKind = kind }, subject), c =>
                 {
                     Assert.InRange(Math.Min(c.X, Math.Min(c.Y, c.Z)), 0.001f, 1f);

@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Appearance;
@@ -50,6 +51,63 @@ public sealed class HeadCoatTests
         Assert.True(Luminance(lips.At(Address(SurfaceRegion.Lip, 5, 10), front, Vector3.UnitX)) < Luminance(lips.At(Address(SurfaceRegion.Body, 5, 10), front + new Vector3(0f, 0.02f, 0f), Vector3.UnitX)) / Told);
         Vector3 beak = new CoatPainter(brown, Subject(SnoutKind.Beak)).At(Address(SurfaceRegion.Body, 2, 6), front, Vector3.UnitZ);
         Assert.True(Luminance(beak) < 1.1f * Luminance(OklchColour.ToLinearRgb(brown.Muzzle)));
+    }
+
+    [Fact]
+    public void A_head_is_paler_or_darker_than_its_trunk_and_goes_over_into_it_along_the_neck()
+    {
+        foreach (double lightness in new[] { 0.25, 0.4, 0.5, 0.6, 0.7, 0.85 })
+        {
+            var painter = new CoatPainter(black with { Base = black.Base with { Lightness = lightness } }, Unmarked(HeadMark.None));
+            double[] flank = Enumerable.Range(10, 16).Select(ring => Math.Cbrt(Luminance(painter.At(Address(SurfaceRegion.Body, ring, 7), new Vector3(0.2f, 1.02f, 0.3f), Vector3.UnitX)))).ToArray();
+            Assert.True(Math.Abs(flank[0] - flank[15]) > 0.05, FormattableString.Invariant($"lightness {lightness}: {flank[0]:0.000} of the head, {flank[15]:0.000} of the trunk"));
+            AssertGradual(flank);
+        }
+    }
+
+    [Fact]
+    public void A_hood_runs_out_along_the_neck()
+    {
+        CoatBlueprint white = black with { Pattern = black.Pattern with { Lightness = 0.95 }, Limb = black.Limb with { Lightness = 0.95 }, Accent = black.Accent with { Lightness = 0.95 } };
+        var painter = new CoatPainter(white, Unmarked(HeadMark.Hood));
+        double[] flank = Enumerable.Range(10, 16).Select(ring => Math.Cbrt(Luminance(painter.At(Address(SurfaceRegion.Body, ring, 7), new Vector3(0.2f, 1.02f, 0.3f), Vector3.UnitX)))).ToArray();
+        Assert.True(flank[0] - flank[15] > 0.3, FormattableString.Invariant($"{flank[0]:0.000} of the hood, {flank[15]:0.000} of the trunk"));
+        AssertGradual(flank);
+    }
+
+    [Theory]
+    [InlineData(HeadMark.Crown, 10, 1)]
+    [InlineData(HeadMark.Mask, 10, 4)]
+    [InlineData(HeadMark.Blaze, 9, 0)]
+    [InlineData(HeadMark.Cheek, 13, 9)]
+    public void A_marking_is_told_from_the_face_though_its_colour_is_that_of_the_coat(object mark, int ring, int segment)
+    {
+        foreach (double lightness in new[] { 0.3, 0.5, 0.7, 0.85 })
+        {
+            var tint = new ColourBlueprint(lightness, 0.04, 1.1);
+            CoatBlueprint plain = black with { Base = tint, Back = tint, Belly = tint, Pattern = tint, Limb = tint };
+            Assert.True(Math.Abs(At(plain, (HeadMark)mark) - At(plain, HeadMark.None)) > 0.08, FormattableString.Invariant($"{mark} on lightness {lightness}"));
+        }
+
+        double At(CoatBlueprint coat, HeadMark worn) => Math.Cbrt(Luminance(new CoatPainter(coat, Unmarked(worn)).At(Address(SurfaceRegion.Body, ring, segment), new Vector3(0.1f, 1.15f, 0.7f), Vector3.UnitX)));
+    }
+
+    /// <summary>No step from ring to ring is more than a third of the whole.</summary>
+    private static void AssertGradual(double[] along)
+    {
+        double whole = Math.Abs(along[0] - along[along.Length - 1]);
+        for (int i = 1; i < along.Length; i++)
+        {
+            Assert.True(Math.Abs(along[i] - along[i - 1]) < 0.34 * whole, FormattableString.Invariant($"a seam at ring {10 + i}"));
+        }
+    }
+
+    private static CoatSubject Unmarked(HeadMark mark)
+    {
+        CoatSubject subject = StraightSkin.Subject();
+        subject.Snout = SnoutKind.Bare;
+        subject.Mark = mark;
+        return subject;
     }
 
     private static float Luminance(Vector3 colour) => (0.2126f * colour.X) + (0.7152f * colour.Y) + (0.0722f * colour.Z);
