@@ -90,6 +90,22 @@ public sealed class FacePlanesTests
     }
 
     [Fact]
+    public void Every_face_of_flesh_of_a_mixed_creature_that_does_not_swim_has_sockets_under_brows()
+    {
+        for (ulong seed = 11030001; seed <= 11030100; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking });
+            SpeciesProfile face = SpeciesCatalogue.Find(creature.Body.Blend.Face);
+            if (face.Snout != SnoutKind.Beak && face.Class != AnimalClass.Arthropod)
+            {
+                (double ring, double segment) = face.Eye;
+                Assert.Contains(creature.Head.Bumps, bump => bump.Ring == ring - 0.6 && bump.Segment == segment + 0.2 && bump.Amount < -0.08);
+                Assert.Contains(creature.Head.Bumps, bump => bump.Ring == ring - 1.6 && bump.Segment == segment - 1.9 && bump.Amount > 0.02);
+            }
+        }
+    }
+
+    [Fact]
     public void The_front_of_a_mixed_swimmers_muzzle_is_narrower_than_its_face_by_a_quarter()
     {
         int broad = 0;

@@ -25,16 +25,16 @@ internal static class HeadSampler
     private const double MixedSink = 0.5;
 
     // On the same: radius of the smallest eyes in half heights of the head, and the lowest segment that they are at: sharks' and dolphins' are not seen from the front.
-    private const double SmallestEye = 0.22;
+    private const double SmallestEye = 0.26;
     private const double LowestEye = 6.3;
 
     /// <summary>Probability of a single eye at full strangeness.</summary>
     private const double SingleEyes = 0.05;
 
     // A single eye: its largest radius in halves of the head, how deep it sits, in radii, and how far it looks ahead.
-    private const double LargestSingle = 0.5;
-    private const double SingleSink = 0.45;
-    private const double SingleForward = 1.3;
+    private const double LargestSingle = 0.56;
+    private const double SingleSink = 0.22;
+    private const double SingleForward = 0.9;
 
     // A face below the beak of another body: how far the ridge along its top rises, and how far its sides are flat below it, in radii of the section: a round one is a disc from the front.
     private const double Ridge = 0.2;
@@ -57,6 +57,9 @@ internal static class HeadSampler
 
     /// <summary>The part of the bones over the eyes that a strange swimmer lacks.</summary>
     private const double SoftenedBone = 0.6;
+
+    /// <summary>Least bones around the eyes of a strange creature that does not swim: a face without brows, sockets and cheeks is a ball or a cone with eyes on it.</summary>
+    private const double LeastBone = 0.7;
 
     // Broadest front of a muzzle against its head of what swims, or has the head of another body, and most that it is drawn in by: what comes head first is seen over its muzzle, and a broader one is all of its face.
     private const double Muzzle = 0.58;
@@ -141,21 +144,22 @@ internal static class HeadSampler
         Add(1.2, 7.0, 1.6, 2.2, IfAny(species.Skull.Lips));
         Add(7.5, 7.5, 1.4, 2.2, -IfAny(species.Skull.Stop));
         Add(2.5, 15.5, 2.0, 2.5, IfAny(species.Skull.Chin));
-        if (species.Bone > 0)
+        double sockets = builder.Kind == LocomotionKind.Swimming || species.Class == AnimalClass.Arthropod || species.Snout == SnoutKind.Beak ? species.Bone : Math.Max(species.Bone, LeastBone * builder.Fitting);
+        if (sockets > 0)
         {
             // Bones around the eyes of what comes head first are corners of its outline.
-            double bone = species.Bone * (1 - (SoftenedBone * fitting));
+            double bone = sockets * (1 - (SoftenedBone * fitting));
             (double ring, double segment) = species.Eye;
-            Add(ring - 0.6, segment + 0.2, 1.5, 1.25, -0.13 * species.Bone);
+            Add(ring - 0.6, segment + 0.2, 1.5, 1.25, -0.13 * sockets);
             Add(ring - 1.6, segment - 1.9, 1.2, 1.1, 0.11 * bone * (1 + (0.5 * mood)));
             Add(ring + 1.2, segment - 2.0, 1.4, 1.1, 0.11 * bone * (1 - (0.4 * mood)));
-            Add(ring + 1.2, segment + 2.9, 1.9, 1.2, 0.10 * species.Bone);
+            Add(ring + 1.2, segment + 2.9, 1.9, 1.2, 0.10 * sockets);
         }
 
         if (species.Snout != SnoutKind.Beak && species.Class != AnimalClass.Arthropod)
         {
             // Between its eyes a broad head is a board without a bridge of the nose, hollows beside it, and cheekbones.
-            double board = fitting * flat;
+            double board = Math.Max(fitting, Mixed(builder)) * flat;
             Add(6, 0, 3.2, 1.5, Bridge * board);
             Add(7, 3.2, 2.2, 1.3, -Hollow * board);
             Add(6.2, 7.6, 2, 1.3, -Hollow * board);
