@@ -23,8 +23,10 @@ internal sealed class ToothSetter
     private const float Covered = 0.8f;
     private const float Bared = -0.06f;
 
-    /// <summary>Length of the longest tooth that a shut mouth hides, in depths of the jaw at its front.</summary>
+    // Length of the longest tooth that a mouth has room for: that of a shut one in depths of the jaw at its front, where the lips hide teeth and where teeth are bared, and what an open one adds, in its gape.
     private const float InJaw = 0.3f;
+    private const float OnJaw = 0.45f;
+    private const float InGape = 0.5f;
 
     /// <summary>How much farther in the lower teeth stand, in lengths: the upper ones lap over them.</summary>
     private const float Within = 0.1f;
@@ -48,11 +50,14 @@ internal sealed class ToothSetter
         BodyShape shape = grown.Skin.Shape;
         hidden = 1f - Scalar.Smooth((float)(mouth.Opening / Open));
         float longest = (float)(mouth.Teeth * shape.Width[StationRing.MuzzleMiddle] * Length);
-        float room = InJaw * (float)Math.Min(shape.Bottom[StationRing.Nose], shape.Bottom[StationRing.MuzzleFront]);
-        length = Scalar.Lerp(longest, Math.Min(longest, dentition.Bared ? longest : room), hidden);
+        float jaw = (float)Math.Min(shape.Bottom[StationRing.Nose], shape.Bottom[StationRing.MuzzleFront]);
+        float gape = Vec.Distance(MiddleOf(grown.Mouth.UpperLip), MiddleOf(grown.Mouth.LowerLip));
+        length = Math.Min(longest, ((dentition.Bared ? OnJaw : InJaw) * jaw) + (InGape * gape));
         Vector3 up = shape.Up(StationRing.MuzzleFront);
         upper = Line(grown.Mouth.UpperLip, Vector3.Zero - up);
         lower = Line(grown.Mouth.LowerLip, Vec.Rotate(up, Vector3.UnitX, MouthSlit.AngleOf(mouth)));
+
+        Vector3 MiddleOf(int[] lip) => grown.Surface.Positions[lip[lip.Length / 2]];
 
         LipLine Line(int[] lip, Vector3 direction)
         {

@@ -113,6 +113,37 @@ public sealed class ToothTests
         }
     }
 
+    [Fact]
+    public void No_tooth_of_a_mixed_creature_that_shuts_its_mouth_is_longer_than_the_jaw_is_deep_by_half()
+    {
+        int bared = 0;
+        for (ulong seed = 15030001; seed <= 15030400 && bared < 12; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking, Strangeness = 1 });
+            if (creature.Head.Mouth.Teeth == 0 || creature.Head.Beak != null || !SpeciesCatalogue.Find(creature.Body.Blend.Face).Dentition.Bared)
+            {
+                continue;
+            }
+
+            creature = creature with { Head = creature.Head with { Mouth = creature.Head.Mouth with { Opening = 0 } } };
+            GrownSurface grown = GrownSurface.Grow(creature);
+            var normals = new Vector3[grown.Surface.Positions.Length];
+            SurfaceNormals.Smooth(grown.Surface.Positions, grown.Surface.Triangles, grown.Surface.Mirror, normals);
+            var builder = new PieceBuilder();
+            new ToothSetter(creature, grown, normals, SpeciesCatalogue.Find(creature.Body.Blend.Face).Dentition).AppendTeeth(builder, Jaw.Upper, ivory);
+            Vector3 up = grown.Skin.Shape.Up(StationRing.MuzzleFront);
+            float lip = Vector3.Dot(grown.Surface.Positions[grown.Mouth.UpperLip[grown.Mouth.UpperLip.Length / 2]], up);
+            float lowest = builder.ToPiece(MaterialKind.Skin, PieceChecks.Anywhere).Positions.Where(p => p.Z > grown.Surface.Positions[grown.Mouth.UpperLip[0]].Z).Min(p => Vector3.Dot(p, up));
+            Assert.True(lip - lowest < 0.55 * grown.Skin.Shape.Bottom[StationRing.MuzzleFront] + 0.5 * Sag(grown, up, lip), FormattableString.Invariant($"{seed}: teeth of {(lip - lowest) / grown.Skin.Shape.Bottom[StationRing.MuzzleFront]:0.00} jaws"));
+            bared++;
+        }
+
+        Assert.InRange(bared, 6, 12);
+
+        // A lip that bends down towards its corner carries its teeth lower.
+        static double Sag(GrownSurface grown, Vector3 up, float lip) => 2 * Math.Max(0, lip - grown.Mouth.UpperLip.Min(vertex => Vector3.Dot(grown.Surface.Positions[vertex], up)));
+    }
+
     /// <summary>Share of the corners of teeth that nothing of the skin is before, as seen from beside or from ahead.</summary>
     private static double Seen(CreatureBlueprint creature, double opening)
     {
