@@ -18,9 +18,11 @@ namespace CreatureGen.Creatures;
 internal sealed class FeatureSetter
 {
     private static readonly Vector3 toothColour = new(0.85f, 0.82f, 0.72f);
-    private static readonly Vector3 lureColour = new(1f, 0.96f, 0.62f);
     private static readonly Vector3 combColour = new(0.46f, 0.022f, 0.026f);
     private static readonly Vector3 beadColour = new(0.012f, 0.011f, 0.012f);
+
+    /// <summary>How much of the tip of a lure is white.</summary>
+    private const float LureGlow = 0.6f;
 
     /// <summary>Wings broader than this, relative to their length, are covered with coloured scales (butterfly).</summary>
     private const double BroadWing = 0.4;
@@ -253,7 +255,7 @@ internal sealed class FeatureSetter
         }
         else if (feature.Kind == FeatureKind.Lure)
         {
-            AntennaShape.Append(builder, feature, curve, 1f, palette.Back, lureColour);
+            LureShape.Append(builder, feature, curve, palette.Back, palette.Accent, Vec.Lerp(palette.Accent, Vector3.One, LureGlow));
         }
         else if (feature.Kind == FeatureKind.Comb)
         {

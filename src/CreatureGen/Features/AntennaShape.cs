@@ -9,15 +9,11 @@ namespace CreatureGen.Features;
 /// <summary>A feeler: a thin tube along its curve with a small knob at the end.</summary>
 internal static class AntennaShape
 {
-    /// <summary>Corners of a feeler's sections, and of a lure, whose end is seen as a ball.</summary>
     private const int Sides = 6;
-    private const int BallSides = 12;
-
-    /// <summary>Sections of a knob, and of a lure.</summary>
-    private const int DotRows = 3;
-    private const int BallRows = 8;
-
     private const int Rows = 8;
+
+    /// <summary>Sections of a knob.</summary>
+    private const int KnobRows = 3;
 
     /// <summary>Radius of the knob relative to that of the root, when the feature asks for neither a smaller nor a larger one.</summary>
     private const float Knob = 1.55f;
@@ -40,8 +36,7 @@ internal static class AntennaShape
         float half = Math.Min(1.3f * knobRadius / curve.Length, 0.12f);
         float neck = 1f - (2f * half);
         float start = -curve.RootDepth(radius) / curve.Length;
-        bool seen = feature.Kind == FeatureKind.Lure;
-        Span<TubeRow> rows = stackalloc TubeRow[Rows + (seen ? BallRows : DotRows)];
+        Span<TubeRow> rows = stackalloc TubeRow[Rows + KnobRows];
         for (int i = 0; i < Rows; i++)
         {
             float x = i / (Rows - 1f);
@@ -53,27 +48,8 @@ internal static class AntennaShape
         // The knob starts at the neck itself: its colour edge is a ring of its own.
         float neckRadius = rows[Rows - 1].Major;
         rows[Rows] = new TubeRow(curve.Point(neck + (0.12f * half)), Math.Max(neckRadius, 0.62f * knobRadius), Math.Max(neckRadius, 0.62f * knobRadius), knob * 0.7f);
-        if (seen)
-        {
-            Ball(rows.Slice(Rows), curve, neck, half, knobRadius, knob);
-        }
-        else
-        {
-            rows[Rows + 1] = new TubeRow(curve.Point(neck + (0.85f * half)), knobRadius, knobRadius, knob);
-            rows[Rows + 2] = new TubeRow(curve.Point(neck + (1.6f * half)), 0.72f * knobRadius, 0.72f * knobRadius, knob);
-        }
-
-        SweptTube.Append(builder, rows, curve.Point(1f), knob, HornShape.MajorHint(curve), seen ? BallSides : Sides);
-    }
-
-    /// <summary>Sections of a round knob after its first one.</summary>
-    private static void Ball(Span<TubeRow> rows, in FeatureCurve curve, float neck, float half, float radius, Vector3 colour)
-    {
-        for (int i = 1; i < rows.Length; i++)
-        {
-            float across = (2f * (i + 0.4f) / rows.Length) - 1f;
-            float r = radius * MathF.Sqrt(1f - (across * across));
-            rows[i] = new TubeRow(curve.Point(neck + (half * (1f + across))), r, r, colour);
-        }
+        rows[Rows + 1] = new TubeRow(curve.Point(neck + (0.85f * half)), knobRadius, knobRadius, knob);
+        rows[Rows + 2] = new TubeRow(curve.Point(neck + (1.6f * half)), 0.72f * knobRadius, 0.72f * knobRadius, knob);
+        SweptTube.Append(builder, rows, curve.Point(1f), knob, HornShape.MajorHint(curve), Sides);
     }
 }

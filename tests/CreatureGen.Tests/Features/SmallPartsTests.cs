@@ -1,6 +1,8 @@
 using System.Linq;
 using System.Numerics;
 using System;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
 using CreatureGen.Creatures;
 using CreatureGen.Features;
@@ -58,6 +60,22 @@ public sealed class SmallPartsTests
         PieceChecks.IsSound(nail);
         Assert.InRange(PieceChecks.TriangleCount(nail), 30, 80);
         Assert.Equal(0f, nail.Positions.Min(p => p.Y), 5);
+    }
+
+    [Fact]
+    public void A_lure_is_a_thin_rod_with_a_small_leaf_that_is_palest_at_its_tip()
+    {
+        var feature = new FeatureBlueprint(FeatureKind.Lure, Ring: 11, Segment: 0, Length: 0.5, Radius: 0.018, Outward: 0, Upward: 1, Forward: 0.25, Sideward: 0, BendUp: -0.42, BendForward: 0.75, BendSide: 0, Flatness: 1.6, Taper: 0.5);
+        var curve = new FeatureCurve(feature, new SurfacePoint(Vector3.UnitY, Vector3.UnitY), Vector3.UnitZ, Vector3.UnitY, 1f);
+        var builder = new PieceBuilder();
+        LureShape.Append(builder, feature, curve, 0.1f * ivory, 0.4f * ivory, ivory);
+        Piece lure = builder.ToPiece(MaterialKind.Skin, PieceChecks.Anywhere);
+        PieceChecks.IsSound(lure);
+        PieceChecks.IsSymmetric(lure);
+        PieceChecks.DoesNotCrossItself(lure);
+        Assert.InRange(2 * lure.Positions.Max(p => p.X), 0.02, 0.13 * feature.Length);
+        Vector3 tip = curve.Point(1f);
+        Assert.Equal(lure.Colours.Max(c => c.X), lure.Colours[Array.FindIndex(lure.Positions, p => Vector3.Distance(p, tip) < 1e-5f)].X, 4);
     }
 
     [Fact]

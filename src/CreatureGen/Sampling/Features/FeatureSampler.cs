@@ -24,6 +24,9 @@ internal static class FeatureSampler
     private const double StingLength = 3.2;
     private const double LongestSting = 0.22;
 
+    /// <summary>Probability that what does not swim wears the lure of its family: there is nothing in the dark for it to draw.</summary>
+    private const double LuredOnLand = 0.2;
+
     /// <summary>Fills in the features of the creature, as many as are asked for.</summary>
     public static void Sample(CreatureBuilder builder, OrnamentLevel level)
     {
@@ -99,6 +102,11 @@ internal static class FeatureSampler
             foreach (PartPreset preset in choice.Parts)
             {
                 FeatureBlueprint part = preset.Part;
+                if (part.Kind == FeatureKind.Lure && builder.Kind != LocomotionKind.Swimming && !builder.Stream("lure").Chance(LuredOnLand))
+                {
+                    continue;
+                }
+
                 double factor = Maths.Scalar.Lerp(preset.Min, preset.Max, size) * (part.Ring < StationRing.Nape ? head : 1);
                 builder.Features.Add(OffGround(builder, part with { Length = part.Length * factor, Radius = part.Radius * Math.Sqrt(factor) }));
             }

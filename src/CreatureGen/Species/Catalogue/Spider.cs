@@ -52,7 +52,7 @@ internal static class Spider
         {
             new PartSlot(new PartChoice(
                 1,
-                InsectParts.Part(new FeatureBlueprint(FeatureKind.Mandible, Ring: 1.0, Segment: 11, Length: 0.17, Radius: 0.045, Outward: 0.3, Upward: -0.75, Forward: 0.6, Sideward: -0.05, BendUp: -0.25, BendForward: -0.15, BendSide: 0, Flatness: 1, Taper: 0.8), 0.85, 1.15),
+                InsectParts.Part(new FeatureBlueprint(FeatureKind.Mandible, Ring: 1.0, Segment: 11, Length: 0.19, Radius: 0.036, Outward: 0.3, Upward: -0.9, Forward: 0.3, Sideward: -0.05, BendUp: -0.2, BendForward: -0.3, BendSide: 0, Flatness: 1, Taper: 0.8), 0.85, 1.15),
                 InsectParts.Part(new FeatureBlueprint(FeatureKind.Antenna, Ring: 2.5, Segment: 9.5, Length: 0.26, Radius: 0.024, Outward: 0, Upward: 0.2, Forward: 0.8, Sideward: 0.55, BendUp: -0.75, BendForward: 0.35, BendSide: -0.1, Flatness: 0.45, Taper: 0.4), 0.9, 1.1))),
             new PartSlot(new PartChoice(1, InsectParts.Ocellus(5.2, 1.3, 0.026), InsectParts.Ocellus(6.2, 5.4, 0.021), InsectParts.Ocellus(9.4, 2.6, 0.021), InsectParts.Ocellus(9.8, 5.4, 0.02))),
         },
