@@ -18,7 +18,7 @@ internal static class HeadSampler
 
     // Largest eyes of strange creatures, relative to those of the animal whose head it is: on a body of its own, and on one of another.
     private const double OwnEyes = 0.85;
-    private const double MixedEyes = 0.68;
+    private const double MixedEyes = 0.62;
 
     // On a skull of another body: radius of the largest eyes in half heights of the head, and least depth of their centres below the skin in radii; larger and higher ones are goggles.
     private const double FlatEyes = 0.42;
@@ -32,8 +32,8 @@ internal static class HeadSampler
     private const double SingleEyes = 0.05;
 
     // A single eye: its largest radius in halves of the head, how deep it sits, in radii, and how far it looks ahead.
-    private const double LargestSingle = 0.56;
-    private const double SingleSink = 0.22;
+    private const double LargestSingle = 0.52;
+    private const double SingleSink = 0.3;
     private const double SingleForward = 0.9;
 
     // A face below the beak of another body: how far the ridge along its top rises, and how far its sides are flat below it, in radii of the section: a round one is a disc from the front.

@@ -18,15 +18,16 @@ internal static class NeckFit
     private const double ThickNeck = 0.8;
     private const double SlenderNeck = 0.42;
 
-    /// <summary>What of a head is seen over the back of what does not swim, in heights of the head, and most degrees that the neck is raised for it.</summary>
+    // What of a head is seen over the back of what does not swim, in heights of the head, and most degrees that the neck is raised for it; that of an insect, which is short, turns the face down.
     private const double Seen = 0.9;
     private const double MostRaised = 34;
+    private const double MostRaisedOfInsect = 22;
 
     /// <summary>The posture with a neck that is raised where its head would be hidden behind the back, and laid down where it is thick and steep.</summary>
     public static BodyPosture Carry(CreatureBuilder builder)
     {
         BodyPosture drawn = builder.Posture;
-        bool necked = builder.Plan is not (BodyPlan.Legless or BodyPlan.ManyLegged or BodyPlan.Upright) && builder.Species.Class != AnimalClass.Arthropod && builder.Species.Disc.Sweep == 0;
+        bool necked = builder.Plan is not (BodyPlan.Legless or BodyPlan.ManyLegged or BodyPlan.Upright) && builder.Parents.Head.Class != AnimalClass.Arthropod && builder.Species.Disc.Sweep == 0;
         if (!necked)
         {
             return drawn;
@@ -37,12 +38,12 @@ internal static class NeckFit
         double steepest = builder.Kind == LocomotionKind.Swimming ? Scalar.Lerp(SteepestThickInWater, SteepestSlenderInWater, slender) : Scalar.Lerp(SteepestThick, SteepestSlender, slender);
         bool behind = builder.Kind != LocomotionKind.Swimming && !(builder.Plan == BodyPlan.Flapping && builder.Species.Class == AnimalClass.Bird);
         double rise = PortableMath.Atan2(shape.Y[StationRing.Cranium] - shape.Y[StationRing.NeckBase], shape.Z[StationRing.Cranium] - shape.Z[StationRing.NeckBase]);
-        double carried = Math.Min(rise + (behind ? Hidden(shape) : 0), Scalar.Radians(steepest));
+        double carried = Math.Min(rise + (behind ? Hidden(shape, builder.Species.Class == AnimalClass.Arthropod ? MostRaisedOfInsect : MostRaised) : 0), Scalar.Radians(steepest));
         return drawn with { Neck = drawn.Neck + (builder.Fitting * (carried - rise)) };
     }
 
     /// <summary>By how much the neck is raised for the head to be seen over the back, radians.</summary>
-    private static double Hidden(BodyShape shape)
+    private static double Hidden(BodyShape shape, double most)
     {
         double back = double.MinValue;
         for (int ring = StationRing.Shoulder; ring <= StationRing.Pelvis; ring++)
@@ -52,6 +53,6 @@ internal static class NeckFit
 
         double head = shape.Top[StationRing.Cranium] + shape.Bottom[StationRing.Cranium];
         double lacks = back + (Seen * head) - shape.Y[StationRing.Cranium] - shape.Top[StationRing.Cranium];
-        return Scalar.Clamp(lacks / (shape.Arc[StationRing.NeckBase] - shape.Arc[StationRing.Cranium]), 0, Scalar.Radians(MostRaised));
+        return Scalar.Clamp(lacks / (shape.Arc[StationRing.NeckBase] - shape.Arc[StationRing.Cranium]), 0, Scalar.Radians(most));
     }
 }

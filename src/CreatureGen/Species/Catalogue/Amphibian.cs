@@ -37,7 +37,7 @@ internal static class Amphibian
         Partners = new[] { "reptile", "fish", "bovine", "feline" },
         WalkingPlans = Weights.Of((BodyPlan.Sprawling, 0.86), (BodyPlan.Plantigrade, 0.14)),
         SwimmingPlans = Weights.Of((BodyPlan.Flipper, 0.45), (BodyPlan.Whale, 0.3), (BodyPlan.Fish, 0.25)),
-        Eye = (9.5, 4.2), EyeSize = 0.375, EyeSink = 0.25, EyeForward = 0.45, LidDegrees = (66, 72), SlitPupils = 0.35, BarPupils = 0.5, Bone = 0,
+        Eye = (9.5, 4.2), EyeSize = 0.375, EyeSink = 0.36, EyeForward = 0.45, LidDegrees = (66, 72), SlitPupils = 0.35, BarPupils = 0.5, Bone = 0,
         Swelling = (0.16, 0.06), MouthCorner = 9, Nostril = 0.12,
         HeadOrnament = (0, 0.12),
         Patterns = Weights.Of((PatternKind.Spots, 1), (PatternKind.Mottle, 0.9), (PatternKind.Patches, 0.6), (PatternKind.Bands, 0.4), (PatternKind.Turing, 0.9)),
