@@ -13,9 +13,9 @@ internal sealed class HeadTone
     private const double Dark = 0.5;
     private const double Light = 0.68;
 
-    // By how much it is lighter or darker, as OKLCH has it.
+    // By how much it is lighter, and by which share of its lightness darker, as OKLCH has it.
     private const double Paler = 0.11;
-    private const double Darker = 0.13;
+    private const double Darker = 0.22;
 
     /// <summary>The ring of the head from which on the tone gives way; at the base of the neck it is gone.</summary>
     private const float Whole = 13.5f;
@@ -27,7 +27,7 @@ internal sealed class HeadTone
     {
         double lightness = Math.Max(0.1, coat.Base.Lightness);
         bool darker = Scalar.Clamp((lightness - Dark) / (Light - Dark), 0, 1) > CoatChoice.Of(coat.PatternSeed, CoatChoice.HeadTone);
-        Lightness = lightness + (darker ? -Darker : Paler);
+        Lightness = lightness + (darker ? -Darker * lightness : Paler);
 
         // Light goes with the third power of lightness.
         double ratio = Lightness / lightness;
