@@ -33,7 +33,7 @@ internal static class HeadSampler
 
     // A single eye: its largest radius in halves of the head, how deep it sits, in radii, and how far it looks ahead.
     private const double LargestSingle = 0.52;
-    private const double SingleSink = 0.3;
+    private const double SingleSink = 0.36;
     private const double SingleForward = 0.9;
 
     // A face below the beak of another body: how far the ridge along its top rises, and how far its sides are flat below it, in radii of the section: a round one is a disc from the front.
@@ -60,6 +60,9 @@ internal static class HeadSampler
 
     /// <summary>Least bones around the eyes of a strange creature that does not swim: a face without brows, sockets and cheeks is a ball or a cone with eyes on it.</summary>
     private const double LeastBone = 0.7;
+
+    /// <summary>The segment at which eyes are on top of the head, as frogs' are: they stand above it, and brows between them would level it.</summary>
+    private const double OnTop = 4.2;
 
     // Broadest front of a muzzle against its head of what swims, or has the head of another body, and most that it is drawn in by: what comes head first is seen over its muzzle, and a broader one is all of its face.
     private const double Muzzle = 0.58;
@@ -144,7 +147,7 @@ internal static class HeadSampler
         Add(1.2, 7.0, 1.6, 2.2, IfAny(species.Skull.Lips));
         Add(7.5, 7.5, 1.4, 2.2, -IfAny(species.Skull.Stop));
         Add(2.5, 15.5, 2.0, 2.5, IfAny(species.Skull.Chin));
-        double sockets = builder.Kind == LocomotionKind.Swimming || species.Class == AnimalClass.Arthropod || species.Snout == SnoutKind.Beak ? species.Bone : Math.Max(species.Bone, LeastBone * builder.Fitting);
+        double sockets = builder.Kind == LocomotionKind.Swimming || species.Class == AnimalClass.Arthropod || species.Snout == SnoutKind.Beak ? species.Bone : Math.Max(species.Bone, LeastBone * builder.Fitting * Scalar.Clamp(species.Eye.Segment - OnTop, 0, 1));
         if (sockets > 0)
         {
             // Bones around the eyes of what comes head first are corners of its outline.
