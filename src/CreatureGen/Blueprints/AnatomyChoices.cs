@@ -45,7 +45,8 @@ internal static class AnatomyChoices
         (LimbArchetype.Raptorial, "raptorial"),
         (LimbArchetype.Jumper, "jumper"),
         (LimbArchetype.FrogHind, "frogHind"),
-        (LimbArchetype.FrogFore, "frogFore"));
+        (LimbArchetype.FrogFore, "frogFore"),
+        (LimbArchetype.ColumnFore, "columnFore"));
 
     public static readonly ChoiceNames<LegStance> Stance = new(
         (LegStance.Standing, "standing"),

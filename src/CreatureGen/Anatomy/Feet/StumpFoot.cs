@@ -4,5 +4,5 @@ namespace CreatureGen.Anatomy.Feet;
 internal static class StumpFoot
 {
     /// <summary>Its form.</summary>
-    public static readonly FootForm Form = new() { Length = 0.42f, Splay = 0.75f, Radius = (1.3f, 1.3f, 1.25f), Nailed = true };
+    public static readonly FootForm Form = new() { Length = 0.8f, Splay = 0.85f, Radius = (1.2f, 1.15f, 1f), Nailed = true };
 }

@@ -20,9 +20,9 @@ internal static class DigitigradeForeLeg
             {
                 new() { Forward = 0, Down = 0, Outward = 0, ForeRadius = 1000, SideRadius = 800 },
                 new() { Forward = 20, Down = 180, Outward = 40, ForeRadius = 720, SideRadius = 600 },
-                new() { Forward = -70, Down = 400, Outward = 30, ForeRadius = 440, SideRadius = 385 },
-                new() { Forward = -30, Down = 620, Outward = 20, ForeRadius = 290, SideRadius = 285 },
-                new() { Forward = 0, Down = 820, Outward = 10, ForeRadius = 230, SideRadius = 220 },
+                new() { Forward = -70, Down = 400, Outward = 30, ForeRadius = 450, SideRadius = 350 },
+                new() { Forward = -30, Down = 570, Outward = 20, ForeRadius = 330, SideRadius = 325 },
+                new() { Forward = 0, Down = 820, Outward = 10, ForeRadius = 225, SideRadius = 205 },
                 new() { Forward = 30, Down = 945, Outward = 10, ForeRadius = 270, SideRadius = 365 },
                 new() { Forward = 110, Down = 965, Outward = 10, ForeRadius = 260, SideRadius = 440 },
             },

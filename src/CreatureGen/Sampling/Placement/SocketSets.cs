@@ -36,7 +36,7 @@ internal static class SocketSets
             BodyPlan.Digitigrade => (LimbArchetype.DigitigradeHind, LimbArchetype.DigitigradeFore, 0.78, 0.52, 0.38),
             BodyPlan.Unguligrade => (LimbArchetype.UnguligradeHind, LimbArchetype.UnguligradeFore, 0.78, 0.52, 0.45),
             BodyPlan.Plantigrade => (LimbArchetype.PlantigradeHind, LimbArchetype.PlantigradeFore, 0.78, 0.52, 0.30),
-            BodyPlan.Columnar => (LimbArchetype.Column, LimbArchetype.Column, 0.78 * 1.1, 0.52 * 1.15, 0.36),
+            BodyPlan.Columnar => (LimbArchetype.Column, LimbArchetype.ColumnFore, 0.78 * 1.1, 0.52 * 1.15, 0.36),
             _ => throw new ArgumentOutOfRangeException(nameof(plan), plan, "expected the plan of a quadruped"),
         };
         LimbSocket rear = Under(41, 10.6, hind, hindGirth);
@@ -75,7 +75,7 @@ internal static class SocketSets
         null,
         new StanceLimits(MinimumLength: 0.10, MaximumRaise: 0.30, RearwardShear: -0.2, ForwardShear: 0.2, MaximumPitchDegrees: 3, MaximumFootGrowth: 1.3, LowerPlan: BodyPlan.ManyLegged, FewerPlan: BodyPlan.Theropod));
 
-    /// <summary>One pair at the widest of the rings 34 to 41; often small arms at 26.</summary>
+    /// <summary>One pair at the widest of the rings 34 to 41; mostly small arms at 26.</summary>
     public static SocketSet Theropod()
     {
         var hips = new List<LimbSocket>();
@@ -88,7 +88,7 @@ internal static class SocketSets
             BodyPlan.Theropod,
             hips,
             1,
-            new ArmAnatomy(List(Arm(26, 10.2, 0.40)), hips, 0.25, 1, 0.40),
+            new ArmAnatomy(List(Arm(26, 10.2, 0.40)), hips, 0.85, 1, 0.40),
             new StanceLimits(MinimumLength: 0.28, MaximumRaise: 0.45, RearwardShear: -0.05, ForwardShear: 0.5, MaximumPitchDegrees: 22, MaximumFootGrowth: 1.6, LowerPlan: BodyPlan.Sprawling, FewerPlan: BodyPlan.Legless));
     }
 
