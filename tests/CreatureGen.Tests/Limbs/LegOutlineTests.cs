@@ -12,7 +12,7 @@ using Xunit;
 
 namespace CreatureGen.Tests.Limbs;
 
-/// <summary>Outlines of legs as they are seen: no posts and no tables.</summary>
+/// <summary>Outlines of legs as they are seen: no posts, no tables, and no legs before the face.</summary>
 public sealed class LegOutlineTests
 {
     /// <summary>Greatest radius of the narrowest row below the knee, relative to the knee's (.80 of a post) and to that of the foot (.76).</summary>
@@ -21,6 +21,9 @@ public sealed class LegOutlineTests
 
     /// <summary>Least drop of a lizard's knee below its hip in heights of it (−.02 of a table).</summary>
     private const double LeastDrop = 0.02;
+
+    /// <summary>Most of the arched walkers whose leg stands before an eye as they are seen from the side (2 of 60 where they were not turned back).</summary>
+    private const double Covered = 0.02;
 
     public static TheoryData<LimbArchetype> Standing() => new()
     {
@@ -76,5 +79,61 @@ public sealed class LegOutlineTests
             }).ToArray();
             Assert.True(bows[0] < bows[1], $"{seed}: the elbow is not further back than the knee");
         }
+    }
+
+    [Fact]
+    public void Few_arched_legs_stand_before_an_eye()
+    {
+        int covered = 0;
+        int bodies = 0;
+        for (ulong seed = 15040000; bodies < 60; seed++)
+        {
+            CreatureBlueprint walker = BlueprintSampler.Sample(seed, new CreatureOptions { Kind = RequestedKind.Walking, Strangeness = seed % 2 == 0 ? 1 : 0.6 });
+            if (!walker.Legs.Any(leg => leg.Archetype == LimbArchetype.Insect))
+            {
+                continue;
+            }
+
+            Creature creature = CreatureGenerator.Build(walker);
+            if (EyeOf(creature) is int eye)
+            {
+                bodies++;
+                covered += Covers(creature, eye) ? 1 : 0;
+            }
+        }
+
+        Assert.True(covered <= Covered * bodies, $"{covered} of {bodies}");
+    }
+
+    private static int? EyeOf(Creature creature) => Enumerable.Range(0, creature.Skeleton.Joints.Count)
+        .Where(j => creature.Skeleton.Joints[j].Role == JointRole.Eye && creature.Skeleton.ModelPositions[j].X > 0)
+        .Select(j => (int?)j)
+        .FirstOrDefault();
+
+    private static bool Covers(Creature creature, int eye)
+    {
+        Vector3[] at = creature.Skeleton.ModelPositions.ToArray();
+        Vector2 pupil = new(at[eye].Z, at[eye].Y);
+        foreach (LimbChain leg in creature.Limbs.Where(limb => limb.Side == Side.Left && limb.Archetype is LimbArchetype.Insect or LimbArchetype.Raptorial))
+        {
+            for (int k = 2; k < leg.Joints.Count; k++)
+            {
+                Vector3 a = at[leg.Joints[k - 1]];
+                Vector3 b = at[leg.Joints[k]];
+                if (a.X > at[eye].X && Distance(pupil, new Vector2(a.Z, a.Y), new Vector2(b.Z, b.Y)) < 0.025f)
+                {
+                    return true;
+                }
+            }
+        }
+
+        return false;
+    }
+
+    private static float Distance(Vector2 p, Vector2 a, Vector2 b)
+    {
+        Vector2 line = b - a;
+        float t = Math.Clamp(Vector2.Dot(p - a, line) / Math.Max(line.LengthSquared(), 1e-9f), 0f, 1f);
+        return Vector2.Distance(p, a + (t * line));
     }
 }

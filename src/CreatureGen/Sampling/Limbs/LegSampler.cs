@@ -143,7 +143,9 @@ internal static class LegSampler
 
         SocketSet SetFor(SpineMeasure measure) => preset is null && bird is null && extra > 0 ? ExtraLegs.Between(SetOf(builder), extra) : OrdinaryFor(measure);
 
-        SocketSet OrdinaryFor(SpineMeasure measure) => preset != null ? OwnLegs.SetOf(builder, preset, measure) : bird != null ? OwnLegs.SetOf(builder, bird) : SetOf(builder);
+        SocketSet OrdinaryFor(SpineMeasure measure) => ClearOfFace.Turn(PlacesFor(measure), builder.Shape, measure.BodyLength * size.Reach);
+
+        SocketSet PlacesFor(SpineMeasure measure) => preset != null ? OwnLegs.SetOf(builder, preset, measure) : bird != null ? OwnLegs.SetOf(builder, bird) : SetOf(builder);
     }
 
     /// <summary>A second, smaller pair of arms behind the first, now and then, where there is room.</summary>
