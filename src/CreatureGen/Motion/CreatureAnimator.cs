@@ -398,6 +398,11 @@ public sealed partial class CreatureAnimator
         }
 
         MoveSecondHead(awake, looks, near, performer?.Lids ?? 0f, dt);
+        if (carried)
+        {
+            performer!.KeepFurtherHeadsOffGround(ground, LocalPose, ModelPose);
+        }
+
         if (awake && near)
         {
             secondary.Update(root, Mode?.Clearance ?? 0f, Mode?.Incline ?? 0f, Balanced(), dt, LocalPose, ModelPose);

@@ -71,6 +71,7 @@ internal sealed class ActBody
         HeadSkin = Skin.Of(joint => Hangs(joint, Bearers.Length > 0 ? Bearers[0] : -1) && !Array.Exists(feelers, feeler => Hangs(joint, feeler.Joints[0])));
         BearerSkins = Build == BodyBuild.Legless ? Array.ConvertAll(Bearers, bearer => Skin.Of(joint => joint == bearer)) : Array.Empty<BonePoints>();
         FaceSkin = Skin.Of(joint => Hangs(joint, Head) && !Array.Exists(feelers, feeler => Hangs(joint, feeler.Joints[0])));
+        FurtherHeads = FurtherHeadsOf();
         JawSkin = Skin.Of(joint => Hangs(joint, Jaw));
         TailSkin = Skin.Of(joint => Hangs(joint, Tail.Count > 0 ? Tail.Joints[0] : -1));
         ArmSkins = Array.ConvertAll(Arms, arm => Skin.Of(joint => Hangs(joint, arm.Joints[1])));
@@ -170,6 +171,9 @@ internal sealed class ActBody
 
     /// <summary>The same of the head alone.</summary>
     public BonePoints FaceSkin { get; }
+
+    /// <summary>Heads beside the first one: the chain of the neck, the head's joint alone, and the skin of both and of the head.</summary>
+    public (TurnedChain Neck, TurnedChain Head, BonePoints Skin, BonePoints Face)[] FurtherHeads { get; }
 
     /// <summary>The same of the jaw; none without one.</summary>
     public BonePoints JawSkin { get; }
@@ -286,14 +290,33 @@ internal sealed class ActBody
 
     private float TrunkLength() => Spine.Length == 0 ? Size : Vec.Distance(Skeleton.ModelPositions[Spine[0]], Skeleton.ModelPositions[Spine[^1]]);
 
-    private int[] BearersOf()
+    private (TurnedChain Neck, TurnedChain Head, BonePoints Skin, BonePoints Face)[] FurtherHeadsOf() => Array.ConvertAll(Array.FindAll(Joints(JointRole.Head), joint => joint != Head), head =>
+    {
+        List<int> chain = ChainTo(head);
+        int root = chain[0];
+        if (chain.Count > 1)
+        {
+            chain.Remove(head);
+        }
+
+        return (new TurnedChain(Skeleton, chain.ToArray()), new TurnedChain(Skeleton, new[] { head }), Skin.Of(joint => Hangs(joint, root)), Skin.Of(joint => Hangs(joint, head)));
+    });
+
+    /// <summary>A head and the joints of its neck, lowest first.</summary>
+    private List<int> ChainTo(int head)
     {
         var chain = new List<int>();
-        for (int joint = Head; joint >= 0 && (joint == Head || Skeleton.Joints[joint].Role == JointRole.Neck); joint = Skeleton.Parents[joint])
+        for (int joint = head; joint >= 0 && (joint == head || Skeleton.Joints[joint].Role == JointRole.Neck); joint = Skeleton.Parents[joint])
         {
             chain.Insert(0, joint);
         }
 
+        return chain;
+    }
+
+    private int[] BearersOf()
+    {
+        List<int> chain = ChainTo(Head);
         if (Build == BodyBuild.Legless)
         {
             chain.InsertRange(0, Spine.Skip((int)((1f - RisingFraction) * Spine.Length)).Where(joint => !chain.Contains(joint)));

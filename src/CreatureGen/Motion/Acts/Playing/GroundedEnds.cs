@@ -70,6 +70,20 @@ internal sealed class GroundedEnds
         Keep(ground, body.HeadChain, body.FaceSkin, -1f, ClearingRounds, over, local, model);
     }
 
+    /// <summary>Raises the other heads of a body that has more than one, as the first.</summary>
+    /// <param name="ground">That they may be in.</param>
+    /// <param name="over">By how much the body's left side is up, radians.</param>
+    /// <param name="local">The pose.</param>
+    /// <param name="model">The same in model space.</param>
+    public void KeepFurtherHeads(in ActGround ground, float over, in Pose local, in Pose model)
+    {
+        foreach ((TurnedChain neck, TurnedChain head, BonePoints skin, BonePoints face) in body.FurtherHeads)
+        {
+            Keep(ground, neck, skin, -1f, FeelerRounds, over, local, model);
+            Keep(ground, head, face, -1f, FeelerRounds, over, local, model);
+        }
+    }
+
     /// <summary>Raises the tail.</summary>
     public void KeepTail(in ActGround ground, float over, in Pose local, in Pose model) => Keep(ground, body.Tail, body.TailSkin, 1f, FeelerRounds, over, local, model);
 

@@ -237,6 +237,12 @@ internal sealed class Performer
         }
     }
 
+    /// <summary>Raises out of the ground heads beside the first, which go after that and know nothing of the ground.</summary>
+    /// <param name="ground">That the feet stand on.</param>
+    /// <param name="local">The pose.</param>
+    /// <param name="model">The same in model space.</param>
+    public void KeepFurtherHeadsOffGround(in ActGround ground, in Pose local, in Pose model) => ends.KeepFurtherHeads(ground, over, local, model);
+
     /// <summary>Raises out of the ground what has swung into it since: tail and feelers, whose springs know less of their skin.</summary>
     /// <param name="ground">That the feet stand on.</param>
     /// <param name="local">The pose.</param>

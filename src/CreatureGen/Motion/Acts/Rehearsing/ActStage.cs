@@ -90,6 +90,10 @@ internal sealed class ActStage
         mode?.Update(RootPlace.Identity, 0f, default, MotionSettings.Default, FlatGround.Level, performer.Trunk, Local);
         ForwardKinematics.LocalToModel(body.Skeleton, Local, Model);
         performer.Pose(RootPlace.Identity, body.Legs != null, ActGround.Level, Local, Model);
+        if (body.Legs != null)
+        {
+            performer.KeepFurtherHeadsOffGround(ActGround.Level, Local, Model);
+        }
     }
 
     /// <summary>Where a tool is.</summary>
