@@ -99,16 +99,17 @@ internal struct LegRoom
     /// <summary>Finds how far the body comes down when all legs that count have been added.</summary>
     /// <param name="feet">All; take note of it.</param>
     /// <param name="dt">Seconds since it was last found.</param>
+    /// <param name="way">How far an act takes the trunk, metres.</param>
     /// <param name="drop">How far it had come down then; goes on.</param>
     /// <param name="hindDrop">Of the hind body, metres; negative is up.</param>
     /// <param name="foreDrop">Of the fore body.</param>
-    public readonly void Find(Span<Foot> feet, float dt, ref LegDrop drop, out float hindDrop, out float foreDrop)
+    public readonly void Find(Span<Foot> feet, float dt, Vector3 way, ref LegDrop drop, out float hindDrop, out float foreDrop)
     {
         float level = Math.Max(0f, 1f - body.Span.Fraction);
         float hindest = Math.Max(hind.Drop, level * fore.Drop);
         hindDrop = Net(hindest, hind.Rise);
         foreDrop = Net(Math.Max(fore.Drop, level * hindest), fore.Rise);
-        drop.Follow(dt, body.LegLength, ref hindDrop, ref foreDrop);
+        drop.Follow(dt, body.LegLength, way, ref hindDrop, ref foreDrop);
         for (int i = 0; i < feet.Length; i++)
         {
             feet[i].Leg.Lowered = body.Legs[i].IsHind(body.Rows) ? hindDrop : foreDrop;

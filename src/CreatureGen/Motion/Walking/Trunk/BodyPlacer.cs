@@ -265,7 +265,7 @@ internal sealed class BodyPlacer
         plan.Add(layer, body, ref foreRise);
         Vector3 between = Trunk.Flex(plan);
         Settle(plan, layer, between, rest.Y, foreRise, 0f, 0f);
-        MakeRoom(feet, poses, context.Step, out float hindDrop, out float foreDrop);
+        MakeRoom(layer, feet, poses, context.Step, out float hindDrop, out float foreDrop);
         if (Math.Max(Math.Abs(hindDrop), Math.Abs(foreDrop)) > 1e-5f * length)
         {
             Settle(plan, layer, between, rest.Y, foreRise, hindDrop, foreDrop);
@@ -281,7 +281,7 @@ internal sealed class BodyPlacer
     }
 
     /// <summary>How far the placed trunk has to come down for the legs.</summary>
-    private void MakeRoom(Span<Foot> feet, ReadOnlySpan<FootPose> poses, float dt, out float hindDrop, out float foreDrop)
+    private void MakeRoom(BodyLayer? layer, Span<Foot> feet, ReadOnlySpan<FootPose> poses, float dt, out float hindDrop, out float foreDrop)
     {
         var room = new LegRoom(body);
         for (int i = 0; i < feet.Length; i++)
@@ -292,7 +292,7 @@ internal sealed class BodyPlacer
             }
         }
 
-        room.Find(feet, dt, ref drop, out hindDrop, out foreDrop);
+        room.Find(feet, dt, layer?.Way ?? Vector3.Zero, ref drop, out hindDrop, out foreDrop);
     }
 
     /// <summary>Model place of a leg's hip, its girdle slid and risen with its foot.</summary>

@@ -1,3 +1,4 @@
+using System.Numerics;
 using CreatureGen.Motion.Walking.Footsteps;
 using Xunit;
 
@@ -31,9 +32,18 @@ public sealed class LegDropTests
         Assert.Equal((0f, 0f), Follow(ref drop, 0f, 0f, 0f));
     }
 
-    private static (float Hind, float Fore) Follow(ref LegDrop drop, float seconds, float hind, float fore)
+    [Fact]
+    public void A_trunk_that_an_act_throws_over_its_feet_comes_down_for_them_as_quickly()
     {
-        drop.Follow(seconds, Leg, ref hind, ref fore);
+        var drop = new LegDrop();
+        Follow(ref drop, 0.01f, 0f, 0f);
+        (float hind, _) = Follow(ref drop, 0.01f, 0.075f, 0f, 0.04f);
+        Assert.Equal(0.055f, hind, 5);
+    }
+
+    private static (float Hind, float Fore) Follow(ref LegDrop drop, float seconds, float hind, float fore, float ahead = 0f)
+    {
+        drop.Follow(seconds, Leg, ahead * Vector3.UnitZ, ref hind, ref fore);
         return (hind, fore);
     }
 }

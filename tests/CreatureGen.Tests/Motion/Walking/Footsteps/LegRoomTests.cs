@@ -66,7 +66,7 @@ public sealed class LegRoomTests
         room.Add(left, new Vector3(0f, -1.02f * left.Reach, 0f), ref feet[0], 0f);
         room.Add(right, new Vector3(0f, -Math.Max(right.FoldedReach - (0.2f * right.Length), 0.05f * right.Length), 0f), ref feet[1], 0f);
         var drop = new LegDrop();
-        room.Find(feet, 0f, ref drop, out float hind, out float fore);
+        room.Find(feet, 0f, default, ref drop, out float hind, out float fore);
         return -(left.IsHind(body.Rows) ? hind : fore);
     }
 }
