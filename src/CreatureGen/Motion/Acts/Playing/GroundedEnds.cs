@@ -16,6 +16,9 @@ internal sealed class GroundedEnds
     private const int FeelerRounds = 6;
     private const float MaxCleared = 0.5f;
 
+    /// <summary>How quickly a neck or a head is raised or let down at most, radians per second: as a body rolls over, what touches the ground changes from one moment to the next.</summary>
+    private const float FastestRaise = 25f;
+
     /// <summary>How far a body is over, radians, from which on it lies on its flank: arms come out of the ground by another way there.</summary>
     private const float Flanked = 0.6f;
 
@@ -27,17 +30,40 @@ internal sealed class GroundedEnds
     /// <summary>The way by which each arm is kept out of the ground: −1 ahead, 1 back, 0 where it is not in it.</summary>
     private readonly float[] armWays;
 
+    /// <summary>How far the first neck and its head were raised last, and those beside it, radians; NaN where nothing was before.</summary>
+    private readonly float[] raised;
+
+    /// <summary>How far these may go on from there, radians: as far as there is need until time goes on.</summary>
+    private float step = float.PositiveInfinity;
+
     public GroundedEnds(ActBody body)
     {
         this.body = body;
         armWays = new float[body.Arms.Length];
+        raised = new float[2 + (2 * body.FurtherHeads.Length)];
+        Forget();
     }
 
     /// <summary>Takes over what another of the same creature knows.</summary>
-    public void CopyFrom(GroundedEnds other) => other.armWays.CopyTo(armWays, 0);
+    public void CopyFrom(GroundedEnds other)
+    {
+        other.armWays.CopyTo(armWays, 0);
+        other.raised.CopyTo(raised, 0);
+        step = other.step;
+    }
 
-    /// <summary>Forgets by which way arms came out of the ground.</summary>
-    public void Forget() => Array.Clear(armWays, 0, armWays.Length);
+    /// <summary>Goes on in time.</summary>
+    public void Advance(float dt) => step = FastestRaise * dt;
+
+    /// <summary>Forgets by which way arms came out of the ground, and how far heads were raised.</summary>
+    public void Forget()
+    {
+        Array.Clear(armWays, 0, armWays.Length);
+        for (int i = 0; i < raised.Length; i++)
+        {
+            raised[i] = float.NaN;
+        }
+    }
 
     /// <summary>Lays along the ground what a crawler carries raised, joint after joint from the trunk, each down onto its own skin; the head as level as it is at rest.</summary>
     /// <param name="ground">That it lies on.</param>
@@ -66,8 +92,8 @@ internal sealed class GroundedEnds
     /// <param name="model">The same in model space.</param>
     public void KeepHead(in ActGround ground, float over, in Pose local, in Pose model)
     {
-        Keep(ground, body.Neck, body.HeadSkin, -1f, FeelerRounds, over, local, model);
-        Keep(ground, body.HeadChain, body.FaceSkin, -1f, ClearingRounds, over, local, model);
+        KeepBorne(ground, body.Neck, body.HeadSkin, FeelerRounds, over, ref raised[0], local, model);
+        KeepBorne(ground, body.HeadChain, body.FaceSkin, ClearingRounds, over, ref raised[1], local, model);
     }
 
     /// <summary>Raises the other heads of a body that has more than one, as the first.</summary>
@@ -77,10 +103,11 @@ internal sealed class GroundedEnds
     /// <param name="model">The same in model space.</param>
     public void KeepFurtherHeads(in ActGround ground, float over, in Pose local, in Pose model)
     {
-        foreach ((TurnedChain neck, TurnedChain head, BonePoints skin, BonePoints face) in body.FurtherHeads)
+        for (int i = 0; i < body.FurtherHeads.Length; i++)
         {
-            Keep(ground, neck, skin, -1f, FeelerRounds, over, local, model);
-            Keep(ground, head, face, -1f, FeelerRounds, over, local, model);
+            (TurnedChain neck, TurnedChain head, BonePoints skin, BonePoints face) = body.FurtherHeads[i];
+            KeepBorne(ground, neck, skin, FeelerRounds, over, ref raised[2 + (2 * i)], local, model);
+            KeepBorne(ground, head, face, FeelerRounds, over, ref raised[3 + (2 * i)], local, model);
         }
     }
 
@@ -164,23 +191,47 @@ internal sealed class GroundedEnds
         }
     }
 
-    /// <summary>Raises what would be in the ground, as seen from the root.</summary>
-    private void Keep(in ActGround ground, TurnedChain chain, BonePoints skin, float sign, int rounds, float over, in Pose local, in Pose model)
+    /// <summary>Raises what would be in the ground, as seen from the root, by no more than there may be.</summary>
+    /// <returns>By how much, radians.</returns>
+    private float Keep(in ActGround ground, TurnedChain chain, BonePoints skin, float sign, int rounds, float over, in Pose local, in Pose model, float most = float.PositiveInfinity)
     {
-        for (int round = 0; round < rounds && chain.Count > 0; round++)
+        float total = 0f;
+        for (int round = 0; round < rounds && chain.Count > 0 && total < most; round++)
         {
             float raise = skin.Raise(ground, model.Positions[chain.Joints[0]], model);
             if (raise == 0f)
             {
-                return;
+                break;
             }
 
-            // Up is to the side of a body that lies on its flank.
-            float turn = sign * Math.Min(raise, MaxCleared);
-            FastTrigonometry.SinCos(over, out float sine, out float cosine);
-            chain.Turn(body.Turns, -turn * sine, turn * cosine, 0f, 0, local);
-            Subtree.LocalToModel(body.Skeleton, chain.Joints[0], local, model);
+            raise = Math.Min(Math.Min(raise, MaxCleared), most - total);
+            total += raise;
+            TurnChain(chain, sign * raise, over, local, model);
         }
+
+        return total;
+    }
+
+    /// <summary>Raises a neck or a head that would be in the ground, and lets it down again, without a jump.</summary>
+    private void KeepBorne(in ActGround ground, TurnedChain chain, BonePoints skin, int rounds, float over, ref float before, in Pose local, in Pose model)
+    {
+        bool goesOn = !float.IsNaN(before);
+        float total = Keep(ground, chain, skin, -1f, rounds, over, local, model, goesOn ? before + step : float.PositiveInfinity);
+        float least = goesOn ? before - step : 0f;
+        if (total < least)
+        {
+            TurnChain(chain, total - least, over, local, model);
+        }
+
+        before = Math.Max(total, least);
+    }
+
+    /// <summary>Turns a chain up by a negative angle, down by another: up is to the side of a body that lies on its flank.</summary>
+    private void TurnChain(TurnedChain chain, float turn, float over, in Pose local, in Pose model)
+    {
+        FastTrigonometry.SinCos(over, out float sine, out float cosine);
+        chain.Turn(body.Turns, -turn * sine, turn * cosine, 0f, 0, local);
+        Subtree.LocalToModel(body.Skeleton, chain.Joints[0], local, model);
     }
 
     private void TurnUp(int joint, float angle, in Pose local, in Pose model)

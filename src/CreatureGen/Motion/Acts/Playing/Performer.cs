@@ -13,7 +13,7 @@ internal sealed class Performer
 {
     /// <summary>How quickly what a standing creature does by itself gives way to an act, per second and per time unit of the act, whichever is quicker: gone before the act's first phase is at its end. And what counts as none.</summary>
     private const float StillRate = 9f;
-    private const float StillRatePerUnit = 4f;
+    private const float StillRatePerUnit = 8f;
     private const float Nothing = 1e-3f;
 
     /// <summary>How far feet have to be off their places for the ground to bear the body instead.</summary>
@@ -86,6 +86,11 @@ internal sealed class Performer
         float newSide = newAim.Mirrored ? -1f : 1f;
         KeepAim();
         player.Begin(act, gain, newAim.Plan, newSide, seconds);
+        if (!IsActive)
+        {
+            ends.Forget();
+        }
+
         stillRate = Math.Max(StillRate, StillRatePerUnit / seconds);
         aim = newAim;
         if (newSide != side)
@@ -122,6 +127,7 @@ internal sealed class Performer
     public void Reset()
     {
         player.Reset();
+        ends.Forget();
         mood.Settle();
         still = 0f;
         stilling = 0f;
@@ -164,6 +170,7 @@ internal sealed class Performer
     public void Advance(float dt, bool stands, in RootPlace root)
     {
         player.Advance(dt, mood.Pace, stands);
+        ends.Advance(dt);
         CriticallyDampedSpring.Advance(ref still, ref stilling, player.Act == null ? 0f : 1f, player.Act == null ? StillRate : stillRate, dt);
         IsActive = player.IsActive || still > Nothing || mood.IsShown;
         if (!IsActive)
@@ -197,7 +204,7 @@ internal sealed class Performer
         layer.Aim(aim, root.ToModel(aim.Target), values[(int)ActChannel.Reach]);
     }
 
-    /// <summary>Forgets by which way arms came out of the ground: what is shown next does not follow on what was shown before.</summary>
+    /// <summary>Forgets how arms and heads came out of the ground: what is shown next does not follow on what was shown before.</summary>
     public void Forget() => ends.Forget();
 
     /// <summary>Writes all that no leg carries.</summary>
