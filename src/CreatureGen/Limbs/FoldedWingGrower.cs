@@ -20,6 +20,11 @@ internal static class FoldedWingGrower
     /// <summary>Share of the span in which the wing rises off the skin before it slides back.</summary>
     private const double Lifting = 0.1;
 
+    // Parts of its rise by which the wing stands off the skin at its upper and its lower edge and half way between: edges that do are the rims of a hollow shell from behind.
+    private const double OffAbove = 0.2;
+    private const double OffBelow = 0.12;
+    private const double OffBetween = 0.55;
+
     /// <summary>Rings by which feathers stand out of the rear edge.</summary>
     private const double Tooth = 0.38;
 
@@ -48,9 +53,9 @@ internal static class FoldedWingGrower
         double Stand(double s) => lift * Scalar.Smooth(s / Lifting);
         double Upper(double s) => wing.Socket.Segment - (0.6 * s) - (s * s);
         double Lower(double s) => Piecewise(s) + wing.Socket.Segment - 4;
-        Vector3 Lead(float s) => Ride(skin, first + (reach * Slide(s)), Upper(s), 0.010 + (0.75 * Stand(s)));
-        Vector3 Trail(float s) => Ride(skin, first + (0.93 * reach * Slide(s)) + (Tooth * (Phase(s) - 0.5) * Scalar.Smooth(4 * s)), Lower(s), 0.012 + (0.95 * Stand(s)));
-        Vector3 Middle(float s) => Ride(skin, first + (0.97 * reach * Slide(s)), (Upper(s) + Lower(s)) / 2, 0.012 + Stand(s));
+        Vector3 Lead(float s) => Ride(skin, first + (reach * Slide(s)), Upper(s), 0.010 + (OffAbove * Stand(s)));
+        Vector3 Trail(float s) => Ride(skin, first + (0.93 * reach * Slide(s)) + (Tooth * (Phase(s) - 0.5) * Scalar.Smooth(4 * s)), Lower(s), 0.012 + (OffBelow * Stand(s)));
+        Vector3 Middle(float s) => Ride(skin, first + (0.97 * reach * Slide(s)), (Upper(s) + Lower(s)) / 2, 0.012 + (OffBetween * Stand(s)));
         Vector3 Normal(float s) => skin.At(Math.Min(first + (reach * Slide(s)), LastRing), (Upper(s) + Lower(s)) / 2).Normal;
 
         int quarter = (wing.Socket.Rows + wing.Socket.Columns) / 2;
