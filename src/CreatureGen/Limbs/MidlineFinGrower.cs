@@ -19,6 +19,18 @@ internal static class MidlineFinGrower
     /// <summary>Metres by which the fin stands off the skin before it leans back.</summary>
     private const float Lift = 0.012f;
 
+    // Thickness in that of the base: where the fin leaves the skin, what of it is flesh above that and thins out evenly, and what is left at the edge. A thinner one is a sheet of paper from behind.
+    private const float Foot = 0.86f;
+    private const float FleshyPart = 0.76f;
+    private const float Edge = 0.06f;
+
+    /// <summary>Thickness of the first and last row, and of the skin between two rays, in that of the rays between.</summary>
+    private const double Ends = 0.4;
+    private const float BetweenRays = 0.82f;
+
+    /// <summary>Height of the edge between two rays of a sail, in that of the rays.</summary>
+    private const float Scallop = 0.9f;
+
     private static readonly float[] sections = { 0.06f, 0.16f, 0.32f, 0.5f, 0.68f, 0.84f, 0.94f, 1f };
 
     /// <summary>Grows the fin and says where its joints are.</summary>
@@ -64,7 +76,7 @@ internal static class MidlineFinGrower
         float before = 0f;
         foreach (float s in sections)
         {
-            float thickness = s < 0.1f ? 0.7f : (0.42f * (float)PortableMath.Pow(1 - s, 1.2)) + 0.06f;
+            float thickness = s < 0.1f ? Foot : (FleshyPart * (float)PortableMath.Pow(1 - s, 1.1)) + Edge;
             int[] current = new int[count];
             for (int k = 0; k < count; k++)
             {
@@ -84,7 +96,7 @@ internal static class MidlineFinGrower
                     p = midline[r] + (up[r] * (h + (Lift * Scalar.Smooth(s / 0.12f)))) - (ahead[r] * (h * shear));
                 }
 
-                p.X = socket.Points[k].X * thickness;
+                p.X = socket.Points[k].X * thickness * Section(r, u, s);
                 VertexAddress address = surface.Addresses[socket.Vertices[k]];
                 address.Region = SurfaceRegion.Fin;
                 address.Appendage = (short)index;
@@ -144,8 +156,16 @@ internal static class MidlineFinGrower
     {
         FinStyle.Shark => Math.Max(0.02f, (float)(PortableMath.Pow(Scalar.Clamp(u / 0.45, 0, 1), 0.9) * PortableMath.Pow(Scalar.Clamp((1.0 - u) / 0.3, 0, 1), 0.6))),
         FinStyle.Spiny => Arch(u) * (row % 2 == 1 ? 1f : 0.68f),
-        _ => Arch(u),
+        _ => Arch(u) * (row % 2 == 1 ? 1f : Scallop),
     };
+
+    /// <summary>How thick a fin is at a row in relation to its thickest, a lens along its base that has no upright face ahead and behind, with rays that stand out of it above its foot.</summary>
+    private static float Section(int row, float u, float s)
+    {
+        double lens = Scalar.Lerp(Ends, 1, Math.Sqrt(Math.Max(0, PortableMath.Sin(PortableMath.Pi * u))));
+        double ray = row % 2 == 1 ? 1 : BetweenRays;
+        return (float)Scalar.Lerp(1, lens * ray, Scalar.Smooth(s / 0.3));
+    }
 
     /// <summary>The height of a sail over its base: highest ahead of its middle, and run out at both ends, where it would be cut off upright.</summary>
     private static float Arch(float u) => Math.Max(0.03f, (float)PortableMath.Sin(PortableMath.Pi * PortableMath.Pow(u, 0.85)));
