@@ -29,6 +29,9 @@ public sealed class TailFitTests
     private const double ThickestTip = 0.25;
     private const double LeastAbdomen = 0.14;
 
+    /// <summary>Least fall of a tail with a tuft or a club for each unit that it goes back (the first one without the rule rises by .38).</summary>
+    private const double LeastWeighted = 0.12;
+
     /// <summary>The same of a swimmer's with flukes (the least tenth is below .005 without the rule).</summary>
     private const double LeastSunk = 0.08;
 
@@ -150,6 +153,28 @@ public sealed class TailFitTests
         }
 
         Assert.InRange(tails, 8, 80);
+    }
+
+    [Fact]
+    public void A_tail_with_a_tuft_or_a_club_at_its_end_comes_down_behind_a_mixed_body()
+    {
+        int tails = 0;
+        foreach ((CreatureBlueprint creature, BodyShape shape) in DrawnShapes.Of(RequestedKind.Walking, 0.6, First, 2 * Count))
+        {
+            bool stands = creature.Plan is BodyPlan.Sprawling or BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar or BodyPlan.Centaur;
+            bool haired = creature.Tail.Style == TailStyle.Plain && creature.Manes.Any(mane => mane.Ring >= StationRing.TorsoLast);
+            if (!stands || !(haired || creature.Tail.Style == TailStyle.Club))
+            {
+                continue;
+            }
+
+            double down = shape.Y[StationRing.TorsoLast] - shape.Y[StationRing.TailTip];
+            double back = shape.Z[StationRing.TorsoLast] - shape.Z[StationRing.TailTip];
+            Assert.True(down > LeastWeighted * back, FormattableString.Invariant($"{creature.Seed} {creature.Plan} {creature.Tail.Style}: comes down by {down / back:0.00} of what it goes back"));
+            tails++;
+        }
+
+        Assert.InRange(tails, 8, Count);
     }
 
     [Fact]

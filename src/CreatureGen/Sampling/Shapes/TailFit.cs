@@ -45,6 +45,9 @@ internal static class TailFit
     /// <summary>The same of a bare tail behind legs out to the side: one that rises is a round end from behind.</summary>
     private const double TrailingDegrees = 9;
 
+    /// <summary>The same of a tail with a tuft or a club at its end, which is a ball on the rump where it is level.</summary>
+    private const double WeightedDegrees = 15;
+
     /// <summary>The same of a bare tail of a flier: a level one is not seen from behind, and the rump is a block.</summary>
     private const double FlownDegrees = 23;
 
@@ -174,13 +177,14 @@ internal static class TailFit
         }
 
         bool flown = builder.Plan == BodyPlan.Flapping && builder.Species.Class != AnimalClass.Arthropod && IsBareEnd(builder);
-        bool trails = builder.Kind == LocomotionKind.Walking && builder.Plan == BodyPlan.Sprawling && builder.Species.Disc.Sweep == 0 && IsBareEnd(builder);
+        bool trails = builder.Kind == LocomotionKind.Walking && builder.Plan == BodyPlan.Sprawling && builder.Species.Disc.Sweep == 0 && (IsBareEnd(builder) || IsWeighted(builder));
         if (trails)
         {
-            return drawn with { Tail = drawn.Tail + (builder.Fitting * Math.Max(0, Scalar.Radians(TrailingDegrees) - Fall(builder))) };
+            double least = Scalar.Radians(IsWeighted(builder) ? WeightedDegrees : TrailingDegrees);
+            return drawn with { Tail = drawn.Tail + (builder.Fitting * Math.Max(0, least - Fall(builder))) };
         }
 
-        if (!flown && (builder.Kind != LocomotionKind.Walking || !(fan || balances || IsBare(builder))))
+        if (!flown && (builder.Kind != LocomotionKind.Walking || !(fan || balances || IsBare(builder) || (PlanTraits.IsAboveLegs(builder.Plan) && IsWeighted(builder)))))
         {
             return drawn;
         }
@@ -228,12 +232,16 @@ internal static class TailFit
     private static bool IsBare(CreatureBuilder builder) => (PlanTraits.IsAboveLegs(builder.Plan) || builder.Plan == BodyPlan.Upright) && IsBareEnd(builder);
 
     /// <summary>Whether a tail is neither rolled up nor armed, and wears no hair.</summary>
-    private static bool IsBareEnd(CreatureBuilder builder)
-    {
-        bool haired = builder.Parents.Tail.TailHair is not null && builder.Tail.Style == TailStyle.Plain
+    private static bool IsBareEnd(CreatureBuilder builder) =>
+        !IsHaired(builder) && builder.Tail.Style is TailStyle.Plain or TailStyle.Saurian or TailStyle.Whip or TailStyle.Paddle;
+
+    /// <summary>Whether a tail ends in a tuft or a club.</summary>
+    private static bool IsWeighted(CreatureBuilder builder) => builder.Tail.Style == TailStyle.Club || IsHaired(builder);
+
+    /// <summary>Whether a tail wears the hair of the parent that gives it.</summary>
+    private static bool IsHaired(CreatureBuilder builder) =>
+        builder.Parents.Tail.TailHair is not null && builder.Tail.Style == TailStyle.Plain
             && (builder.Parents.Skin.Cover == SkinCover.Fur || builder.Parents.Skin == builder.Parents.Tail);
-        return !haired && builder.Tail.Style is TailStyle.Plain or TailStyle.Saurian or TailStyle.Whip or TailStyle.Paddle;
-    }
 
     /// <summary>The slices with a point at the end of a bird's tail that wears no feathers, whose tables are made for a fan and end like a sawn log without one, of an abdomen, and of a swimmer's, whose fin comes later.</summary>
     public static ValueList<LatticeSlice> Point(CreatureBuilder builder, ValueList<LatticeSlice> drawn)
