@@ -118,9 +118,6 @@ public enum LimbArchetype
 
     /// <summary>Fore leg of a frog.</summary>
     FrogFore,
-
-    /// <summary>Pillar before the belly: its elbow points back.</summary>
-    ColumnFore,
 }
 
 /// <summary>What a leg does at rest.</summary>

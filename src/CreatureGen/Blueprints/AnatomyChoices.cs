@@ -45,8 +45,7 @@ internal static class AnatomyChoices
         (LimbArchetype.Raptorial, "raptorial"),
         (LimbArchetype.Jumper, "jumper"),
         (LimbArchetype.FrogHind, "frogHind"),
-        (LimbArchetype.FrogFore, "frogFore"),
-        (LimbArchetype.ColumnFore, "columnFore"));
+        (LimbArchetype.FrogFore, "frogFore"));
 
     public static readonly ChoiceNames<LegStance> Stance = new(
         (LegStance.Standing, "standing"),

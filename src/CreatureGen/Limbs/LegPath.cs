@@ -46,17 +46,6 @@ internal sealed class LegPath
     /// <summary>Radians. An insect's legs that are turned back further lie along its abdomen.</summary>
     private const double LaidBack = -0.65;
 
-    // A foot out to the side is turned out by so many radians, and by so many fewer for each that its leg reaches ahead: hind feet more than fore feet.
-    private const double TurnedOut = 0.25;
-    private const double TurnedByReach = 1.5;
-
-    // A leg out to the side that reaches ahead has its elbow behind the line to its foot and low, one that reaches back has its knee before it and high: by so many reaches and heights for each radian.
-    private const float KneeAgainst = 2.2f;
-    private const float KneeHeight = 0.6f;
-
-    /// <summary>Greatest value of s²·(1 − s)³, at the knee: the bow begins and ends along the leg, or its skin would crease at the hip and at the ankle.</summary>
-    private const float FullBow = 0.03456f;
-
     private LegPath(Vector3[] joints, Vector2[] radii, float thickness)
     {
         Joints = joints;
@@ -119,20 +108,16 @@ internal sealed class LegPath
         float reach = (float)leg.Reach;
         Vector3 outward = Vector3.UnitX;
         Vector3 ahead = Vector3.UnitZ;
-        float against = form.Sprawling && leg.Stance == LegStance.Standing ? (float)leg.Azimuth : 0f;
         if (form.Lateral)
         {
             outward = new Vector3((float)PortableMath.Cos(leg.Azimuth), 0f, (float)PortableMath.Sin(leg.Azimuth));
-            double turn = TurnedOut - (TurnedByReach * against);
-            ahead = form.Sprawling ? new Vector3((float)PortableMath.Sin(turn), 0f, (float)PortableMath.Cos(turn)) : Vector3.UnitZ;
+            ahead = form.Sprawling ? new Vector3(0.25f, 0f, 0.97f) : Vector3.UnitZ;
         }
 
         var joints = new Vector3[form.Rows];
         for (int k = 0; k < form.Rows; k++)
         {
-            float share = Math.Min(1f, k / (float)form.AnkleRow);
-            float bow = against * share * share * (1f - share) * (1f - share) * (1f - share) / FullBow;
-            float down = form.Down[k] + (KneeHeight * bow);
+            float down = form.Down[k];
             if (form.Arched && k is >= 1 and < 5)
             {
                 down *= (float)leg.KneeRise;
@@ -140,7 +125,6 @@ internal sealed class LegPath
 
             joints[k] = root
                 + (ahead * (form.Forward[k] * reach))
-                - (Vector3.UnitZ * (KneeAgainst * bow * reach))
                 - (Vector3.UnitY * (down * height))
                 + (outward * (form.Outward[k] * reach))
                 + (Vector3.UnitZ * ((float)leg.Shear * Scalar.Clamp(form.Down[k], 0f, 1f) * height));

@@ -54,8 +54,8 @@ internal static class WingGrower
 
     private static readonly double[] edgeKnots = { 0, 0.3, 0.52, 0.8, 1 };
 
-    /// <summary>Heights of the leading edge at the knots, for a rise of 1.</summary>
-    private static readonly double[] rises = { 0, 0.30, 0.63, 0.78, 0.75 };
+    /// <summary>Heights of the leading edge at the knots, for a rise of 1: it goes on rising to the tip, or it is a cap cut off level from the side.</summary>
+    private static readonly double[] rises = { 0, 0.30, 0.61, 0.85, 0.95 };
 
     /// <summary>Shares of the span at shoulder, elbow, wrist, hand and tip.</summary>
     private static readonly float[] jointFractions = { 0f, 0.28f, 0.53f, 0.78f, 1f };

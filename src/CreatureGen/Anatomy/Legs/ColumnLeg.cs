@@ -1,6 +1,6 @@
 namespace CreatureGen.Anatomy.Legs;
 
-/// <summary>A pillar, as elephants have it: the knee ahead, the heel behind, a broad foot below a narrower ankle.</summary>
+/// <summary>A pillar, as elephants have it.</summary>
 internal static class ColumnLeg
 {
     public static LegKind Kind { get; } = new(
@@ -17,12 +17,12 @@ internal static class ColumnLeg
             Rows = new LegSection[]
             {
                 new() { Forward = 0, Down = 0, Outward = 0, ForeRadius = 1000, SideRadius = 850 },
-                new() { Forward = 60, Down = 200, Outward = 50, ForeRadius = 960, SideRadius = 720 },
-                new() { Forward = 145, Down = 430, Outward = 50, ForeRadius = 580, SideRadius = 480 },
-                new() { Forward = 20, Down = 600, Outward = 35, ForeRadius = 480, SideRadius = 455 },
-                new() { Forward = -65, Down = 790, Outward = 25, ForeRadius = 335, SideRadius = 335 },
-                new() { Forward = -15, Down = 915, Outward = 25, ForeRadius = 420, SideRadius = 440 },
-                new() { Forward = 25, Down = 1000, Outward = 25, ForeRadius = 590, SideRadius = 600 },
+                new() { Forward = 40, Down = 220, Outward = 50, ForeRadius = 920, SideRadius = 700 },
+                new() { Forward = 75, Down = 450, Outward = 50, ForeRadius = 680, SideRadius = 590 },
+                new() { Forward = 10, Down = 660, Outward = 35, ForeRadius = 520, SideRadius = 490 },
+                new() { Forward = -10, Down = 830, Outward = 30, ForeRadius = 470, SideRadius = 470 },
+                new() { Forward = 15, Down = 945, Outward = 30, ForeRadius = 555, SideRadius = 560 },
+                new() { Forward = 25, Down = 1000, Outward = 30, ForeRadius = 610, SideRadius = 620 },
             },
         },
         build: new LegBuild(LimbPosture.Under)

@@ -23,7 +23,6 @@ internal static class LegKinds
         JumperLeg.Kind,
         FrogHindLeg.Kind,
         FrogForeLeg.Kind,
-        ColumnForeLeg.Kind,
     };
 
     /// <summary>In the order of their names in <see cref="LimbArchetype"/>.</summary>

@@ -88,8 +88,8 @@ internal static class OwnLegs
     }
 
     /// <summary>Least thickness of a swimmer's leg, part of the depth of its body there, and how much larger its feet are: thin arms with small hands on a full body were sticks.</summary>
-    private const double PaddleThickness = 0.25;
-    private const double PaddleFoot = 1.35;
+    private const double PaddleThickness = 0.22;
+    private const double PaddleFoot = 1.1;
 
     /// <summary>Hangs the legs of a swimmer that has any: before a tail fin that drives it hind legs would hang in its way, as whales and sea cows know.</summary>
     public static void Paddle(CreatureBuilder builder, LegStyle style)

@@ -123,7 +123,9 @@ internal static class WingSampler
         WingStyle style = StyleOf(builder, random);
         WingForm form = WingForm.Of(style);
         double rise = random.Uniform(0.42, 0.75);
-        double sweep = random.Uniform(0.05, 0.25);
+
+        // Hardly swept, a raised wing is its own edge from the side.
+        double sweep = random.Uniform(0.3, 0.55);
         ThinWing[] thins = builder.Species.Class == AnimalClass.Arthropod ? insectWings : fairyWings[builder.Stream("thin wing family").Integer(0, fairyWings.Length)];
         foreach (WingPlacement wing in placement.Wings)
         {

@@ -36,7 +36,7 @@ internal static class SocketSets
             BodyPlan.Digitigrade => (LimbArchetype.DigitigradeHind, LimbArchetype.DigitigradeFore, 0.78, 0.52, 0.38),
             BodyPlan.Unguligrade => (LimbArchetype.UnguligradeHind, LimbArchetype.UnguligradeFore, 0.78, 0.52, 0.45),
             BodyPlan.Plantigrade => (LimbArchetype.PlantigradeHind, LimbArchetype.PlantigradeFore, 0.78, 0.52, 0.30),
-            BodyPlan.Columnar => (LimbArchetype.Column, LimbArchetype.ColumnFore, 0.78 * 1.1, 0.52 * 1.15, 0.36),
+            BodyPlan.Columnar => (LimbArchetype.Column, LimbArchetype.Column, 0.78 * 1.1, 0.52 * 1.15, 0.36),
             _ => throw new ArgumentOutOfRangeException(nameof(plan), plan, "expected the plan of a quadruped"),
         };
         LimbSocket rear = Under(41, 10.6, hind, hindGirth);

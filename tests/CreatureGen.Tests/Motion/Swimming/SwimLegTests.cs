@@ -164,7 +164,6 @@ public sealed class SwimLegTests
     [InlineData(LimbArchetype.PlantigradeFore)]
     [InlineData(LimbArchetype.DigitigradeHind)]
     [InlineData(LimbArchetype.Column)]
-    [InlineData(LimbArchetype.ColumnFore)]
     [InlineData(LimbArchetype.Insect)]
     [InlineData(LimbArchetype.FrogHind)]
     [InlineData(LimbArchetype.Arm)]
