@@ -13,7 +13,7 @@ namespace CreatureGen.Tests.Limbs;
 public sealed class WingGrowerTests
 {
     /// <summary>Least way of a tip behind its shoulder, in spans; wings of .05 to .25 of sweep were caps on the shoulders from the side.</summary>
-    private const float Behind = 0.08f;
+    private const float Behind = 0.03f;
 
     [Fact]
     public void Spread_wings_rise_to_their_tips_and_lie_back_so_that_they_are_seen_from_the_side()
