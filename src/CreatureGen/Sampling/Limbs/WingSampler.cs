@@ -125,7 +125,7 @@ internal static class WingSampler
         double rise = random.Uniform(0.42, 0.75);
 
         // Hardly swept, a raised wing is its own edge from the side.
-        double sweep = random.Uniform(0.2, 0.4);
+        double sweep = random.Uniform(0.22, 0.4);
         ThinWing[] thins = builder.Species.Class == AnimalClass.Arthropod ? insectWings : fairyWings[builder.Stream("thin wing family").Integer(0, fairyWings.Length)];
         foreach (WingPlacement wing in placement.Wings)
         {
