@@ -17,7 +17,7 @@ internal sealed class GaitClock
     /// <summary>The slowest that a change of gaits makes the clock, as part of the new gait's own frequency.</summary>
     private const float SlowestFraction = 0.1f;
 
-    /// <summary>Cycles per second that a body that goes takes at the least, √(g/leg): as it turns back its speed goes through nothing, and a foot in the air would wait there for a place ever farther off.</summary>
+    /// <summary>Cycles per second that a body that goes takes at the least, √(g/leg): of one that brakes hard what is left of its faster gait takes nearly all of the tempo, and a foot in the air would wait for a place ever farther off.</summary>
     private const float SlowestGoing = 0.08f;
 
     private const float LagPerCycle = 0.30f;

@@ -30,6 +30,24 @@ public sealed class GaitClockTests
         }
     }
 
+    /// <summary>What was left of the faster gait all but stopped the clock of who braked hard: a foot in the air waited, and its place was predicted metres away.</summary>
+    [Theory]
+    [InlineData(BodyPlan.Unguligrade)]
+    [InlineData(BodyPlan.Theropod)]
+    public void Who_brakes_hard_into_another_gait_steps_on_as_its_speed_goes_through_nothing(BodyPlan plan)
+    {
+        foreach (Creature creature in StrokeSubject.Of(plan))
+        {
+            LeggedBody body = LeggedBody.Of(new MotionSubject(creature))!;
+            RootVelocity velocity = RootVelocity.At(0f, 0f, 0f);
+            velocity.Ask(0f, 0f, 1f);
+            var clock = new GaitClock(body, GaitLibrary.TransverseGallop);
+            clock.Change(GaitLibrary.Walk, 6f, Gravity, Lead.Left);
+            clock.Slide(0.002f, velocity, Gravity, 1f, 0f);
+            Assert.True(clock.Cycle < 13f * System.Math.Sqrt(body.LegLength / Gravity), $"{clock.Cycle} s on legs of {body.LegLength} m");
+        }
+    }
+
     [Theory]
     [InlineData(BodyPlan.Digitigrade)]
     [InlineData(BodyPlan.Plantigrade)]
