@@ -52,7 +52,7 @@ internal static class LureShape
         {
             // Opens as a quarter of a wave and runs out as half of one.
             float x = (i + 0.5f) / LeafRows;
-            float open = x < Broadest ? (float)PortableMath.Sin(0.5 * Math.PI * x / Broadest) : 0.5f * (1f + (float)PortableMath.Cos(Math.PI * (x - Broadest) / (1 - Broadest)));
+            float open = x < Broadest ? (float)PortableMath.Sin(0.5 * PortableMath.Pi * x / Broadest) : 0.5f * (1f + (float)PortableMath.Cos(PortableMath.Pi * (x - Broadest) / (1 - Broadest)));
             float r = Math.Max(0.5f * end, half * open);
             rows[RodRows + i] = new TubeRow(curve.Point(stem + ((1f - stem) * x)), Math.Max(0.5f * end, Thickness * r), r, Vec.Lerp(leaf, tip, Scalar.Smooth((x - 0.25f) / 0.75f)));
         }

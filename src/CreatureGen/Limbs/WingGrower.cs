@@ -52,10 +52,8 @@ internal static class WingGrower
     private static readonly float[] dense = { 0.02f, 0.35f, 0.7f, 0.99f };
     private static readonly float[] sparse = { 0.02f, 0.5f, 0.99f };
 
-    private static readonly double[] edgeKnots = { 0, 0.3, 0.52, 0.8, 1 };
-
-    /// <summary>Heights of the leading edge at the knots, for a rise of 1: it goes on rising to the tip, or it is a cap cut off level from the side.</summary>
-    private static readonly double[] rises = { 0, 0.30, 0.61, 0.85, 0.95 };
+    /// <summary>Height of the leading edge over the span, for a rise of 1: it goes on rising to the tip, or it is a cap cut off level from the side.</summary>
+    private static readonly MonotoneCurve rise = new(new[] { 0, 0.3, 0.52, 0.8, 1 }, new[] { 0, 0.30, 0.61, 0.85, 0.95 });
 
     /// <summary>Shares of the span at shoulder, elbow, wrist, hand and tip.</summary>
     private static readonly float[] jointFractions = { 0f, 0.28f, 0.53f, 0.78f, 1f };
@@ -157,11 +155,9 @@ internal static class WingGrower
     private static Func<float, Vector3> LeadingEdge(WingBlueprint wing, WingForm form, SocketLoop socket)
     {
         double span = wing.Span;
-        double[] slopes = new double[rises.Length];
-        MonotoneCubic.Slopes(edgeKnots, rises, slopes);
         return s => new Vector3(
             (float)(socket.Centre.X + (s * span * 0.98)),
-            (float)(socket.Centre.Y + (MonotoneCubic.Evaluate(edgeKnots, rises, slopes, s) * wing.Rise * span)),
+            (float)(socket.Centre.Y + (rise.At(s) * wing.Rise * span)),
             (float)(socket.Centre.Z + (socket.HalfLength * (1 - (0.5 * s))) + ((form.LeadAt(s) - form.LeadAt(0)) * span) - (wing.Sweep * span * s * 0.6)));
     }
 

@@ -12,18 +12,14 @@ internal sealed class FlankFin
     /// <summary>Where along the axis the edges are given.</summary>
     private static readonly double[] stations = { 0, 0.15, 0.3, 0.5, 0.7, 0.85, 0.95, 1 };
 
-    private readonly double[] lead;
-    private readonly double[] trail;
-    private readonly double[] leadSlopes = new double[stations.Length];
-    private readonly double[] trailSlopes = new double[stations.Length];
+    private readonly MonotoneCurve lead;
+    private readonly MonotoneCurve trail;
 
     /// <summary>Takes both edges at 0, 15, 30, 50, 70, 85, 95 and 100 % of the length.</summary>
     public FlankFin(double[] lead, double[] trail)
     {
-        this.lead = lead;
-        this.trail = trail;
-        MonotoneCubic.Slopes(stations, lead, leadSlopes);
-        MonotoneCubic.Slopes(stations, trail, trailSlopes);
+        this.lead = new MonotoneCurve(stations, lead);
+        this.trail = new MonotoneCurve(stations, trail);
         for (int i = 0; i < stations.Length; i++)
         {
             Depth = System.Math.Max(Depth, trail[i] - lead[i]);
@@ -50,8 +46,8 @@ internal sealed class FlankFin
     public static double AxisSweep(FinStyle style) => style == FinStyle.Paddle || Of(style) is null ? 1 : AxisOfSwept;
 
     /// <summary>The leading edge behind the axis.</summary>
-    public double LeadAt(double s) => MonotoneCubic.Evaluate(stations, lead, leadSlopes, s);
+    public double LeadAt(double s) => lead.At(s);
 
     /// <summary>The trailing edge behind the axis.</summary>
-    public double TrailAt(double s) => MonotoneCubic.Evaluate(stations, trail, trailSlopes, s);
+    public double TrailAt(double s) => trail.At(s);
 }

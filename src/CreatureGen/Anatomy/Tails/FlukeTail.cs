@@ -5,17 +5,8 @@ namespace CreatureGen.Anatomy.Tails;
 /// <summary>Whales and dolphins: two level lobes with a notch between them, full beside it, hollow before their tips.</summary>
 internal static class FlukeTail
 {
-    private static readonly double[] stations = { 0, 0.12, 0.3, 0.5, 0.75, 0.9, 1 };
-    private static readonly double[] edge = { -0.16, 0.2, 0.4, 0.5, 0.62, 0.8, 1 };
-    private static readonly double[] slopes = Slopes();
+    private static readonly MonotoneCurve edge = new(new[] { 0, 0.12, 0.3, 0.5, 0.75, 0.9, 1 }, new[] { -0.16, 0.2, 0.4, 0.5, 0.62, 0.8, 1 });
 
     /// <summary>Where the rear edge of a lobe lies at a share of its half span, in sweeps of its tip behind the root; negative ahead of it.</summary>
-    public static double EdgeAt(double across) => MonotoneCubic.Evaluate(stations, edge, slopes, System.Math.Min(1, across));
-
-    private static double[] Slopes()
-    {
-        double[] found = new double[stations.Length];
-        MonotoneCubic.Slopes(stations, edge, found);
-        return found;
-    }
+    public static double EdgeAt(double across) => edge.At(across);
 }

@@ -6,22 +6,15 @@ namespace CreatureGen.Anatomy.Tails;
 /// <summary>A tail without a fin at its end, as numbers: half widths and half heights from the root to the tip, in radii of its root.</summary>
 internal sealed class TailTaper
 {
-    private readonly double[] stations;
-    private readonly double[] widths;
-    private readonly double[] heights;
-    private readonly double[] widthSlopes;
-    private readonly double[] heightSlopes;
+    private readonly MonotoneCurve width;
+    private readonly MonotoneCurve height;
 
     /// <summary>Takes stations from the root, 0, to the tip, 1, with half width and half height at each.</summary>
     public TailTaper(params (double At, double Width, double Height)[] table)
     {
-        stations = Array.ConvertAll(table, row => row.At);
-        widths = Array.ConvertAll(table, row => row.Width);
-        heights = Array.ConvertAll(table, row => row.Height);
-        widthSlopes = new double[table.Length];
-        heightSlopes = new double[table.Length];
-        MonotoneCubic.Slopes(stations, widths, widthSlopes);
-        MonotoneCubic.Slopes(stations, heights, heightSlopes);
+        double[] stations = Array.ConvertAll(table, row => row.At);
+        width = new MonotoneCurve(stations, Array.ConvertAll(table, row => row.Width));
+        height = new MonotoneCurve(stations, Array.ConvertAll(table, row => row.Height));
     }
 
     /// <summary>Length relative to a common tail of the same body.</summary>
@@ -49,6 +42,5 @@ internal sealed class TailTaper
     };
 
     /// <summary>Half width and half height at a share of the length.</summary>
-    public (double Width, double Height) At(double s) =>
-        (MonotoneCubic.Evaluate(stations, widths, widthSlopes, s), MonotoneCubic.Evaluate(stations, heights, heightSlopes, s));
+    public (double Width, double Height) At(double s) => (width.At(s), height.At(s));
 }

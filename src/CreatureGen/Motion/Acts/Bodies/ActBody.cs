@@ -172,8 +172,8 @@ internal sealed class ActBody
     /// <summary>The same of the head alone.</summary>
     public BonePoints FaceSkin { get; }
 
-    /// <summary>Heads beside the first one: the chain of the neck, the head's joint alone, and the skin of both and of the head.</summary>
-    public (TurnedChain Neck, TurnedChain Head, BonePoints Skin, BonePoints Face)[] FurtherHeads { get; }
+    /// <summary>Heads beside the first one.</summary>
+    public FurtherHead[] FurtherHeads { get; }
 
     /// <summary>The same of the jaw; none without one.</summary>
     public BonePoints JawSkin { get; }
@@ -290,7 +290,7 @@ internal sealed class ActBody
 
     private float TrunkLength() => Spine.Length == 0 ? Size : Vec.Distance(Skeleton.ModelPositions[Spine[0]], Skeleton.ModelPositions[Spine[^1]]);
 
-    private (TurnedChain Neck, TurnedChain Head, BonePoints Skin, BonePoints Face)[] FurtherHeadsOf() => Array.ConvertAll(Array.FindAll(Joints(JointRole.Head), joint => joint != Head), head =>
+    private FurtherHead[] FurtherHeadsOf() => Array.ConvertAll(Array.FindAll(Joints(JointRole.Head), joint => joint != Head), head =>
     {
         List<int> chain = ChainTo(head);
         int root = chain[0];
@@ -299,7 +299,7 @@ internal sealed class ActBody
             chain.Remove(head);
         }
 
-        return (new TurnedChain(Skeleton, chain.ToArray()), new TurnedChain(Skeleton, new[] { head }), Skin.Of(joint => Hangs(joint, root)), Skin.Of(joint => Hangs(joint, head)));
+        return new FurtherHead(new TurnedChain(Skeleton, chain.ToArray()), new TurnedChain(Skeleton, new[] { head }), Skin.Of(joint => Hangs(joint, root)), Skin.Of(joint => Hangs(joint, head)));
     });
 
     /// <summary>A head and the joints of its neck, lowest first.</summary>

@@ -59,10 +59,7 @@ internal sealed class GroundedEnds
     public void Forget()
     {
         Array.Clear(armWays, 0, armWays.Length);
-        for (int i = 0; i < raised.Length; i++)
-        {
-            raised[i] = float.NaN;
-        }
+        Array.Fill(raised, float.NaN);
     }
 
     /// <summary>Lays along the ground what a crawler carries raised, joint after joint from the trunk, each down onto its own skin; the head as level as it is at rest.</summary>
@@ -105,9 +102,9 @@ internal sealed class GroundedEnds
     {
         for (int i = 0; i < body.FurtherHeads.Length; i++)
         {
-            (TurnedChain neck, TurnedChain head, BonePoints skin, BonePoints face) = body.FurtherHeads[i];
-            KeepBorne(ground, neck, skin, FeelerRounds, over, ref raised[2 + (2 * i)], local, model);
-            KeepBorne(ground, head, face, FeelerRounds, over, ref raised[3 + (2 * i)], local, model);
+            FurtherHead further = body.FurtherHeads[i];
+            KeepBorne(ground, further.Neck, further.Skin, FeelerRounds, over, ref raised[2 + (2 * i)], local, model);
+            KeepBorne(ground, further.Head, further.Face, FeelerRounds, over, ref raised[3 + (2 * i)], local, model);
         }
     }
 
