@@ -24,10 +24,18 @@ internal static class FlightMotion
         }
 
         local.Require(profile.Skeleton);
+        RootDelta way = Advance(profile, input, ref state, dt);
+        FlightPose.Write(profile, state, input, local);
+        return way;
+    }
+
+    /// <summary>Moves on without writing a pose.</summary>
+    /// <inheritdoc cref="Update"/>
+    public static RootDelta Advance(FlightProfile profile, in FlightInput input, ref FlightState state, float dt)
+    {
         input.Require();
         FlightWay way = FlightPath.Travel(profile, input, ref state, (float)StepCheck.Step(dt));
         FlightControl.Advance(profile, input, way, ref state);
-        FlightPose.Write(profile, state, input, local);
         return way.Root;
     }
 }

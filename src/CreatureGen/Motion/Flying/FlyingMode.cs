@@ -72,13 +72,14 @@ internal sealed class FlyingMode : ILocomotionMode
 
     public RootPlace Update(RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
+        FlightInput asked;
         state.Left = dt;
         do
         {
             bool before = IsOnFeet;
             FlightPhase phase = state.Phase;
             float left = state.Left;
-            RootDelta way = Fly(place, left, input, settings, ground, layer, local);
+            RootDelta way = Fly(place, left, input, settings, ground, layer, out asked);
             float gone = left - state.Left;
             if (before)
             {
@@ -102,7 +103,7 @@ internal sealed class FlyingMode : ILocomotionMode
             Reach(place, settings, ground, layer);
         }
 
-        Mix(local);
+        Write(asked, local);
         return place;
     }
 
@@ -110,12 +111,13 @@ internal sealed class FlyingMode : ILocomotionMode
     {
         float height = HeightOf(goal, settings, ground);
         MotionMedium medium = height > AirborneHeight * profile.LegLength ? MotionMedium.Air : MotionMedium.Ground;
-        MotionInput asked = RootStep.Asked(place, dt, goal, medium);
+        MotionInput input = RootStep.Asked(place, dt, goal, medium);
+        FlightInput asked;
         state.Left = dt;
         do
         {
             bool before = IsOnFeet;
-            Fly(goal, state.Left, asked, settings, ground, layer, local);
+            Fly(goal, state.Left, input, settings, ground, layer, out asked);
             Speed = before ? legs!.Speed : state.Speed;
             turn = (float)state.Turn.Value;
             Change(before, goal, settings, ground, layer);
@@ -132,7 +134,7 @@ internal sealed class FlyingMode : ILocomotionMode
             Reach(goal, settings, ground, layer);
         }
 
-        Mix(local);
+        Write(asked, local);
     }
 
     public void Stand(in RootPlace place, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
@@ -140,14 +142,14 @@ internal sealed class FlyingMode : ILocomotionMode
         state = Resting;
         Speed = 0f;
         kept = null;
-        Fly(place, 0f, default, settings, ground, layer, local);
+        Fly(place, 0f, default, settings, ground, layer, out FlightInput asked);
         if (legs != null)
         {
             legs.Sink = 0f;
             legs.Stand(place, settings, ground, layer, stance.Cleared());
         }
 
-        Mix(local);
+        Write(asked, local);
     }
 
     public void Rebase(Vector3 offset) => legs?.Rebase(offset);
@@ -210,15 +212,17 @@ internal sealed class FlyingMode : ILocomotionMode
         legs.Arrive(place, speed, state.Foreseen ?? speed, turn, settings, ground, layer, stance.Cleared());
     }
 
-    private void Mix(in Pose local)
+    /// <summary>Writes the pose: last, for folded wings swing with the steps of this very update.</summary>
+    private void Write(in FlightInput asked, in Pose local)
     {
+        FlightPose.Write(profile, state, asked with { Sway = IsOnFeet ? legs!.Sway : default }, local);
         if (legs != null)
         {
             stance.Mix(state.Planted.Value, local);
         }
     }
 
-    private RootDelta Fly(in RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
+    private RootDelta Fly(in RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, BodyLayer? layer, out FlightInput asked)
     {
         FlightIntent intent = legs == null || input.Medium == MotionMedium.Air ? FlightIntent.Air : FlightIntent.Ground;
         float scale = place.Scale;
@@ -229,8 +233,8 @@ internal sealed class FlyingMode : ILocomotionMode
 
         state.RunOut = legs?.RunOut ?? 0f;
         state.Raised = legs?.Raised ?? 0f;
-        var asked = new FlightInput(intent, input.Speed / scale, input.YawRate, input.ClimbRate / scale, HeightOf(place, settings, ground), settings.Gravity / scale, settings.Flying, Math.Max(layer?.Wings ?? 0f, 0f), IsOnFeet ? legs!.Sway : default);
-        RootDelta way = FlightMotion.Update(profile, asked, ref state, dt, local);
+        asked = new FlightInput(intent, input.Speed / scale, input.YawRate, input.ClimbRate / scale, HeightOf(place, settings, ground), settings.Gravity / scale, settings.Flying, Math.Max(layer?.Wings ?? 0f, 0f));
+        RootDelta way = FlightMotion.Advance(profile, asked, ref state, dt);
         events.Left = state.Left;
         for (int k = state.BeatsBegun - 1; k >= 0; k--)
         {

@@ -58,8 +58,9 @@ internal static class FootRelease
         foot.Plan.Reached = reached;
         foot.Plan.Missed = foot.Leg.Residual;
         bool misses = slides > 0f && foot.Leg.Residual + slides > MaxMiss * leg.Length;
-        Vector3 then = chord + lowered + Change(foot, step, onward, place);
-        if (misses || (HipMayEnd(leg, then) && Missing(foot, body, leg, step, then) > MaxMiss * leg.Length))
+        Vector3 change = Change(foot, step, onward, place);
+        Vector3 then = chord + lowered + change;
+        if (misses || (HipMayEnd(leg, then) ? Missing(foot, body, leg, step, then) : Straying(foot, body, leg, step, then, change)) > MaxMiss * leg.Length)
         {
             return true;
         }
@@ -94,11 +95,17 @@ internal static class FootRelease
     /// <summary>How far a foot will be off its place with a chord, metres: a hip that comes to its end between two decisions would drag it along with the body.</summary>
     private static float Missing(in Foot foot, LeggedBody body, LegRig leg, in StepContext step, Vector3 chord)
     {
-        // How the trunk is turned is known for a moment only.
-        Quaternion carrier = step.Since > Overdue ? Quaternion.Identity : foot.Leg.Carrier;
+        Quaternion carrier = CarrierOf(foot, step);
         float then = HipRoom.Miss(body, leg, carrier, chord);
         return then == 0f ? 0f : foot.Leg.Residual + then - HipRoom.Miss(body, leg, carrier, foot.Leg.Chord + new Vector3(0f, foot.Leg.Lowered, 0f));
     }
+
+    /// <summary>How far the hip alone will take a foot off its place that goes aside by more than it may miss, metres: as its body turns about it. The body comes down for one that is too far away.</summary>
+    private static float Straying(in Foot foot, LeggedBody body, LegRig leg, in StepContext step, Vector3 chord, Vector3 change) =>
+        Math.Abs(change.X) > MaxMiss * leg.Length ? Vec.Distance(HipRoom.Nearest(body, leg, CarrierOf(foot, step), chord, foot.Path.Heading), chord) : 0f;
+
+    /// <summary>Turn of the trunk at the hip from rest: it is known for a moment only.</summary>
+    private static Quaternion CarrierOf(in Foot foot, in StepContext step) => step.Since > Overdue ? Quaternion.Identity : foot.Leg.Carrier;
 
     /// <summary>Seconds that such a swing takes.</summary>
     /// <param name="swing">Those of the gait.</param>

@@ -5,26 +5,30 @@ using CreatureGen.Motion.Walking.Legs;
 
 namespace CreatureGen.Motion.Walking.Footsteps;
 
-/// <summary>What the limits of the hip of a leg let it reach, without a pose, its foot straight ahead: the trunk is taken to be turned as it was when the leg was last posed.</summary>
+/// <summary>What the limits of the hip of a leg let it reach, without a pose: the trunk is taken to be turned as it was when the leg was last posed.</summary>
 internal static class HipRoom
 {
-    /// <summary>Distance by which the leg would miss a place, metres.</summary>
+    /// <summary>Distance by which the leg would miss a place, its foot straight ahead, metres.</summary>
     /// <param name="body">Whose leg it is.</param>
     /// <param name="leg">The leg.</param>
     /// <param name="carrier">Turn of the trunk at its hip from rest.</param>
     /// <param name="chord">From its hip to the place, model space.</param>
     public static float Miss(LeggedBody body, LegRig leg, Quaternion carrier, Vector3 chord) =>
-        IsFree(body, leg, carrier, chord, out LegRotations solved) ? solved.Residual : Vec.Distance(LegSolver.EndOf(leg, leg.Parts, solved), chord);
+        IsFree(body, leg, carrier, chord, Quaternion.Identity, out LegRotations solved) ? solved.Residual : Vec.Distance(LegSolver.EndOf(leg, leg.Parts, solved), chord);
 
     /// <summary>Where the leg would end that reaches for a place, from its hip, model space: there, where its hip turns as far as it takes.</summary>
-    /// <inheritdoc cref="Miss"/>
-    public static Vector3 Nearest(LeggedBody body, LegRig leg, Quaternion carrier, Vector3 chord) =>
-        IsFree(body, leg, carrier, chord, out LegRotations solved) ? chord : LegSolver.EndOf(leg, leg.Parts, solved);
+    /// <param name="body">Whose leg it is.</param>
+    /// <param name="leg">The leg.</param>
+    /// <param name="carrier">Turn of the trunk at its hip from rest.</param>
+    /// <param name="chord">From its hip to the place, model space.</param>
+    /// <param name="heading">Turn of its foot from rest, model space.</param>
+    public static Vector3 Nearest(LeggedBody body, LegRig leg, Quaternion carrier, Vector3 chord, Quaternion heading) =>
+        IsFree(body, leg, carrier, chord, heading, out LegRotations solved) ? chord : LegSolver.EndOf(leg, leg.Parts, solved);
 
     /// <summary>Whether the hip turns as far as it is asked; the leg as it lets it be.</summary>
-    private static bool IsFree(LeggedBody body, LegRig leg, Quaternion carrier, Vector3 chord, out LegRotations solved)
+    private static bool IsFree(LeggedBody body, LegRig leg, Quaternion carrier, Vector3 chord, Quaternion heading, out LegRotations solved)
     {
-        LegSolver.Solve(leg, leg.Parts, chord, LegSolver.Side(leg, carrier, chord, Quaternion.Identity), 0f, 0f, out solved);
+        LegSolver.Solve(leg, leg.Parts, chord, LegSolver.Side(leg, carrier, chord, heading), 0f, 0f, out solved);
         Quaternion asked = body.Turns.Local(leg.Hip, Rotation.Multiply(Rotation.Inverse(carrier), solved.Thigh));
         Quaternion kept = leg.Limits.Hip.Clamp(asked);
         if (kept == asked)

@@ -53,7 +53,7 @@ internal static class LandingRange
     {
         Vector3 way = velocity.Predict(seconds, out float yaw);
         Vector3 chord = leg.Parts.Upper + leg.Shank - leg.Home - (posed.Hip - leg.HipRest) + Rotation.Rotate(AxisRotation.Yaw(-yaw), place - way);
-        return Vec.Distance(HipRoom.Nearest(body, leg, posed.Carrier, chord), chord) + Math.Max(leg.FoldedReach - Vec.Length(chord), 0f);
+        return Vec.Distance(HipRoom.Nearest(body, leg, posed.Carrier, chord, Quaternion.Identity), chord) + Math.Max(leg.FoldedReach - Vec.Length(chord), 0f);
     }
 
     /// <summary>Draws a place in that is too far from the hip.</summary>
@@ -79,7 +79,7 @@ internal static class LandingRange
     private static Vector3 Turned(LeggedBody body, LegRig leg, Quaternion carrier, Vector3 place, Vector3 chord)
     {
         Vector3 asked = place + chord;
-        Vector3 away = HipRoom.Nearest(body, leg, carrier, asked) - asked;
+        Vector3 away = HipRoom.Nearest(body, leg, carrier, asked, Quaternion.Identity) - asked;
         return place + new Vector3(away.X, 0f, away.Z);
     }
 

@@ -7,6 +7,9 @@ namespace CreatureGen.Motion.Walking.Legs;
 /// <summary>How far a hinge turns either way from rest, as cosines and sines: angles are bounded without an inverse function.</summary>
 internal readonly struct FoldLimit
 {
+    /// <summary>Cosine of the angle by which a turn may begin beyond the end towards which it goes, 8°.</summary>
+    private const double Beyond = 0.99;
+
     private readonly double minCosine;
     private readonly double minSine;
     private readonly double maxCosine;
@@ -26,13 +29,38 @@ internal readonly struct FoldLimit
     public float Clamp(ref double cosine, ref double sine, float tolerance)
     {
         bool beyond = (sine < 0 && cosine < minCosine) || (sine > 0 && cosine < maxCosine);
-        if (!beyond)
-        {
-            return 0f;
-        }
+        return beyond ? Approach(sine < 0, ref cosine, ref sine, tolerance) : 0f;
+    }
 
-        double endCosine = sine < 0 ? minCosine : maxCosine;
-        double endSine = sine < 0 ? minSine : maxSine;
+    /// <summary>Stops a turn from an angle within the range to another, by the shorter way, at the end of the range on that way, even if the other angle is within it too.</summary>
+    /// <param name="fromCosine">Of the angle within the range.</param>
+    /// <param name="fromSine">Of the angle within the range.</param>
+    /// <param name="cosine">Of the other angle.</param>
+    /// <param name="sine">Of the other angle.</param>
+    /// <param name="tolerance">How far beyond that end it may go, as the chord of the difference on the unit circle.</param>
+    public void Stop(double fromCosine, double fromSine, ref double cosine, ref double sine, float tolerance)
+    {
+        double turn = (sine * fromCosine) - (cosine * fromSine);
+        bool down = turn < 0;
+        double endCosine = down ? minCosine : maxCosine;
+        double endSine = down ? minSine : maxSine;
+        double roomCosine = (endCosine * fromCosine) + (endSine * fromSine);
+        double roomSine = (endSine * fromCosine) - (endCosine * fromSine);
+
+        // Where the sine of what is left up to the end is on the other side, that is more than half a turn, or less than nothing.
+        bool half = down ? roomSine > 0 : roomSine < 0;
+        bool beyond = half ? roomCosine > Beyond : (cosine * fromCosine) + (sine * fromSine) < roomCosine;
+        if (beyond)
+        {
+            Approach(down, ref cosine, ref sine, tolerance);
+        }
+    }
+
+    /// <summary>Brings an angle to an end of the range, but for a tolerance; says how far from it it was.</summary>
+    private float Approach(bool down, ref double cosine, ref double sine, float tolerance)
+    {
+        double endCosine = down ? minCosine : maxCosine;
+        double endSine = down ? minSine : maxSine;
         double c = cosine - endCosine;
         double s = sine - endSine;
         double chord = Math.Sqrt((c * c) + (s * s));

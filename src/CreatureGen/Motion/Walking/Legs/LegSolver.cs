@@ -183,10 +183,12 @@ internal static class LegSolver
         }
     }
 
-    /// <summary>Turns the knee, within its limits, and the shank with it.</summary>
+    /// <summary>Turns the knee by the shorter way, within its limits, and the shank with it: by the longer one a knee that is folded as far as it goes would fly open.</summary>
     private static void SetKnee(LegRig leg, double cos, double sin, float tolerance, ref LegRotations turns)
     {
-        leg.Limits.Knee.Clamp(ref cos, ref sin, 2f * tolerance);
+        double before = (turns.Knee.W * turns.Knee.W) - (turns.KneeHalfSine * turns.KneeHalfSine);
+        double beforeSine = 2d * turns.Knee.W * turns.KneeHalfSine;
+        leg.Limits.Knee.Stop(before, beforeSine, ref cos, ref sin, 2f * tolerance);
         HalfAngle.Of(cos, sin, out double halfCosine, out double halfSine);
         turns.KneeHalfSine = (float)halfSine;
         turns.Knee = new Quaternion(leg.Hinge * (float)halfSine, (float)halfCosine);

@@ -35,7 +35,7 @@ internal static class FootRoll
     private const float PivotLeaving = 0.3f;
 
     /// <summary>The same at its end.</summary>
-    private const float PivotArriving = 0.15f;
+    private const float PivotArriving = 0.22f;
 
     /// <summary>Pitch beyond which toes leave the ground with the rest of a flat foot, radians.</summary>
     private const float ToeBreak = 0.3491f;

@@ -166,12 +166,14 @@ internal sealed class LegPoser
         if (bent)
         {
             Vector3 away = foot.Path.Away;
-            limit.Bend(leg, parts, goal, away, Vec.Dot(away, pose.Target - hip) - (foot.Path.Lift - foot.Path.Over), ref solved);
+            float way = Vec.Dot(away, pose.Target - hip) - (foot.Path.Lift - foot.Path.Over);
+            limit.Bend(leg, parts, goal, away, way, ref solved);
             if (limit.Arriving > 0f)
             {
-                // It will stand where it comes down: with the leg as it then is.
+                // It will stand where it comes down, on the ground: with the leg as it then is.
                 LegRotations held = solved;
-                Aim(leg, parts, carrier, goal with { Chord = LegSolver.EndOf(leg, parts, solved) }, local, out solved);
+                Vector3 place = LegSolver.EndOf(leg, parts, solved);
+                Aim(leg, parts, carrier, goal with { Chord = place + (away * Math.Max(way - Vec.Dot(away, place), 0f)) }, local, out solved);
                 solved.Blend(held, 1f - limit.Arriving, leg.Hinge);
             }
 

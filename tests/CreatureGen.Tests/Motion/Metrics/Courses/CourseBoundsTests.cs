@@ -54,6 +54,23 @@ public sealed class CourseBoundsTests
         }
     }
 
+    /// <summary>
+    /// Knees that were folded as far as they go flew open for a frame down stairs (142 rad/s); the foot of a leg that its hip takes off its way came down through the ground and was lifted out of it as it stood (115, and a foot dragged by .106 of its leg in a turn);
+    /// large feet that roll in short steps came down in the last hundredth of a second (74).
+    /// </summary>
+    [Theory]
+    [InlineData(RequestedKind.Flying, 15100091UL, "runner", 65f, 0.02f)]
+    [InlineData(RequestedKind.Flying, 15100071UL, "straight", 65f, 0.01f)]
+    [InlineData(RequestedKind.Flying, 15100071UL, "keys", 65f, 0.08f)]
+    [InlineData(RequestedKind.Walking, 19000046UL, "keys", 65f, 0.01f)]
+    public void Legs_at_the_end_of_what_their_joints_do_neither_fling_nor_drag_their_feet(RequestedKind kind, ulong seed, string script, float radiansPerSecond, float slip)
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind, Strangeness = 1 }));
+        CourseReport report = MotionCourse.Of(profile).Single(course => course.Script.Name == script).Run(profile);
+        Assert.True(report.JointSpeed < radiansPerSecond, $"{profile.Subject.Skeleton.Joints[report.JointSpeedJoint].Name} turns by {report.JointSpeed} rad/s");
+        Assert.True(report.StanceSlip < slip, $"slips by {report.StanceSlip} leg lengths");
+    }
+
     private static void Hold(RequestedKind kind, ulong[] seeds, float strangeness, Bounds bounds) =>
         Hold(seed => CreatureGenerator.Generate(seed, SizeOfSeed.In(CreatureOptions.Default with { Kind = kind, Strangeness = strangeness }, seed)), seeds, bounds);
 

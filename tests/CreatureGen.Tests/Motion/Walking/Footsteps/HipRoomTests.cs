@@ -48,7 +48,7 @@ public sealed class HipRoomTests
             {
                 Vector3 chord = Rotation.Rotate(AxisRotation.Yaw(yaw), Rest(leg));
                 float miss = HipRoom.Miss(body, leg, Quaternion.Identity, chord);
-                Vector3 end = HipRoom.Nearest(body, leg, Quaternion.Identity, chord);
+                Vector3 end = HipRoom.Nearest(body, leg, Quaternion.Identity, chord, Quaternion.Identity);
                 Assert.True(end == chord || Math.Abs(Vec.Distance(end, chord) - miss) < 1e-5f * leg.Length);
                 Assert.InRange(HipRoom.Miss(body, leg, Quaternion.Identity, end), 0f, Math.Max(0.25f * miss, 0.03f * leg.Length));
             }
