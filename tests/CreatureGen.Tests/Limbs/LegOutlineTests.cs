@@ -25,7 +25,7 @@ public sealed class LegOutlineTests
     public static TheoryData<LimbArchetype> Standing() => new()
     {
         LimbArchetype.Theropod, LimbArchetype.Bird, LimbArchetype.DigitigradeHind, LimbArchetype.DigitigradeFore,
-        LimbArchetype.PlantigradeHind, LimbArchetype.PlantigradeFore, LimbArchetype.UnguligradeHind, LimbArchetype.UnguligradeFore,
+        LimbArchetype.PlantigradeHind, LimbArchetype.PlantigradeFore, LimbArchetype.UnguligradeHind, LimbArchetype.UnguligradeFore, LimbArchetype.Column,
     };
 
     [Theory]

@@ -19,10 +19,10 @@ internal static class DigitigradeForeLeg
             Rows = new LegSection[]
             {
                 new() { Forward = 0, Down = 0, Outward = 0, ForeRadius = 1000, SideRadius = 800 },
-                new() { Forward = 20, Down = 180, Outward = 40, ForeRadius = 720, SideRadius = 600 },
+                new() { Forward = 20, Down = 180, Outward = 40, ForeRadius = 730, SideRadius = 630 },
                 new() { Forward = -70, Down = 400, Outward = 30, ForeRadius = 450, SideRadius = 350 },
-                new() { Forward = -30, Down = 570, Outward = 20, ForeRadius = 330, SideRadius = 325 },
-                new() { Forward = 0, Down = 820, Outward = 10, ForeRadius = 225, SideRadius = 205 },
+                new() { Forward = -30, Down = 570, Outward = 20, ForeRadius = 340, SideRadius = 340 },
+                new() { Forward = 0, Down = 820, Outward = 10, ForeRadius = 220, SideRadius = 198 },
                 new() { Forward = 30, Down = 945, Outward = 10, ForeRadius = 270, SideRadius = 365 },
                 new() { Forward = 110, Down = 965, Outward = 10, ForeRadius = 260, SideRadius = 440 },
             },

@@ -20,10 +20,10 @@ internal static class PlantigradeForeLeg
             Rows = new LegSection[]
             {
                 new() { Forward = 0, Down = 0, Outward = 0, ForeRadius = 1000, SideRadius = 850 },
-                new() { Forward = 20, Down = 220, Outward = 50, ForeRadius = 800, SideRadius = 690 },
+                new() { Forward = 20, Down = 220, Outward = 50, ForeRadius = 810, SideRadius = 720 },
                 new() { Forward = -70, Down = 460, Outward = 40, ForeRadius = 580, SideRadius = 445 },
-                new() { Forward = -25, Down = 620, Outward = 30, ForeRadius = 470, SideRadius = 460 },
-                new() { Forward = -10, Down = 800, Outward = 20, ForeRadius = 325, SideRadius = 310 },
+                new() { Forward = -25, Down = 620, Outward = 30, ForeRadius = 485, SideRadius = 480 },
+                new() { Forward = -10, Down = 800, Outward = 20, ForeRadius = 315, SideRadius = 295 },
                 new() { Forward = 80, Down = 915, Outward = 20, ForeRadius = 290, SideRadius = 485 },
                 new() { Forward = 200, Down = 955, Outward = 20, ForeRadius = 270, SideRadius = 540 },
             },

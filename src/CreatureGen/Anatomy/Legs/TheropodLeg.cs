@@ -21,8 +21,8 @@ internal static class TheropodLeg
             {
                 new() { Forward = 0, Down = 0, Outward = 0, ForeRadius = 1000, SideRadius = 800 },
                 new() { Forward = 90, Down = 160, Outward = 60, ForeRadius = 1040, SideRadius = 790 },
-                new() { Forward = 220, Down = 370, Outward = 60, ForeRadius = 590, SideRadius = 400 },
-                new() { Forward = 50, Down = 530, Outward = 40, ForeRadius = 450, SideRadius = 430 },
+                new() { Forward = 220, Down = 370, Outward = 60, ForeRadius = 600, SideRadius = 450 },
+                new() { Forward = 20, Down = 530, Outward = 40, ForeRadius = 480, SideRadius = 470 },
                 new() { Forward = -130, Down = 740, Outward = 30, ForeRadius = 240, SideRadius = 225 },
                 new() { Forward = -60, Down = 890, Outward = 30, ForeRadius = 180, SideRadius = 170 },
                 new() { Forward = -10, Down = 955, Outward = 30, ForeRadius = 220, SideRadius = 280 },

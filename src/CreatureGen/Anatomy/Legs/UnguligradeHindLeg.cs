@@ -16,11 +16,11 @@ internal static class UnguligradeHindLeg
             Rows = new LegSection[]
             {
                 new() { Forward = 0, Down = 0, Outward = 0, ForeRadius = 1000, SideRadius = 800 },
-                new() { Forward = 50, Down = 170, Outward = 50, ForeRadius = 920, SideRadius = 670 },
+                new() { Forward = 50, Down = 170, Outward = 50, ForeRadius = 940, SideRadius = 720 },
                 new() { Forward = 90, Down = 340, Outward = 40, ForeRadius = 540, SideRadius = 455 },
-                new() { Forward = -30, Down = 480, Outward = 20, ForeRadius = 350, SideRadius = 280 },
-                new() { Forward = -130, Down = 610, Outward = 10, ForeRadius = 240, SideRadius = 215 },
-                new() { Forward = -100, Down = 760, Outward = 10, ForeRadius = 170, SideRadius = 155 },
+                new() { Forward = -30, Down = 480, Outward = 20, ForeRadius = 385, SideRadius = 335 },
+                new() { Forward = -130, Down = 610, Outward = 10, ForeRadius = 250, SideRadius = 235 },
+                new() { Forward = -100, Down = 760, Outward = 10, ForeRadius = 165, SideRadius = 150 },
                 new() { Forward = -80, Down = 875, Outward = 10, ForeRadius = 210, SideRadius = 210 },
                 new() { Forward = -40, Down = 930, Outward = 10, ForeRadius = 200, SideRadius = 210 },
                 new() { Forward = -15, Down = 965, Outward = 10, ForeRadius = 270, SideRadius = 280 },
