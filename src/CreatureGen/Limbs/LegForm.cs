@@ -6,7 +6,7 @@ using CreatureGen.Blueprints;
 namespace CreatureGen.Limbs;
 
 /// <summary>
-/// The shape of a leg or arm as data: rows of forward, down and outward in units of its length, and fore-aft and lateral radius in units of its thickness. Row 0 is the socket.
+/// The shape of a leg or arm as data: rows of forward, down and outward in units of its length, and fore-aft and lateral radius and offset of the flesh in units of its thickness. Row 0 is the socket.
 /// </summary>
 internal sealed class LegForm
 {
@@ -29,6 +29,8 @@ internal sealed class LegForm
         Outward = Column(row => row.Outward);
         ForeRadius = Column(row => row.ForeRadius);
         SideRadius = Column(row => row.SideRadius);
+        ForeOffset = Column(row => row.ForeOffset);
+        SideOffset = Column(row => row.SideOffset);
     }
 
     public LimbArchetype Archetype { get; }
@@ -94,6 +96,10 @@ internal sealed class LegForm
     public float[] ForeRadius { get; }
 
     public float[] SideRadius { get; }
+
+    public float[] ForeOffset { get; }
+
+    public float[] SideOffset { get; }
 
     /// <summary>The form of a leg: legs out to the side trail where they do not stand.</summary>
     public static LegForm Of(LegBlueprint leg)

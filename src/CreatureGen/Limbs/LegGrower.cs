@@ -93,7 +93,7 @@ internal static class LegGrower
         bool vertical = form.End is FootEnd.Hoof or FootEnd.Pad;
         var sweep = new LimbSweep
         {
-            Joints = path.Joints,
+            Joints = path.Centres,
             Radii = path.Radii,
             Sections = SectionsOf(form),
             Across = socket.Around,

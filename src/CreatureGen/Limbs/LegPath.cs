@@ -46,9 +46,10 @@ internal sealed class LegPath
     /// <summary>Radians. An insect's legs that are turned back further lie along its abdomen.</summary>
     private const double LaidBack = -0.65;
 
-    private LegPath(Vector3[] joints, Vector2[] radii, float thickness)
+    private LegPath(Vector3[] joints, Vector3[] centres, Vector2[] radii, float thickness)
     {
         Joints = joints;
+        Centres = centres;
         Radii = radii;
         Thickness = thickness;
         for (int k = 1; k < joints.Length; k++)
@@ -59,7 +60,10 @@ internal sealed class LegPath
 
     public Vector3[] Joints { get; }
 
-    /// <summary>Fore-aft and lateral radius at each joint.</summary>
+    /// <summary>The middle of the flesh at each joint.</summary>
+    public Vector3[] Centres { get; }
+
+    /// <summary>Fore-aft and lateral radius of the flesh at each joint.</summary>
     public Vector2[] Radii { get; }
 
     /// <summary>Radius of the thigh after its limits.</summary>
@@ -74,19 +78,14 @@ internal sealed class LegPath
         bool standing = leg.Stance == LegStance.Standing;
         Vector3 root = socket.Centre;
         float height = standing ? root.Y : (float)leg.Length;
-        float thickness = Math.Min((float)leg.Thickness, socket.HalfLength * 1.12f);
-        if (form.MinThickness > 0f)
-        {
-            // A tall leg of a slim body stays as slim as where it grows from, or it would hang there like a balloon.
-            float min = Math.Min(form.MinThickness * height, Math.Max(thickness, Balloon * socket.HalfLength));
-            thickness = Scalar.Clamp(thickness, min, form.MaxThickness * height);
-        }
+        float thickness = ThicknessOf(form, (float)leg.Thickness, socket.HalfLength, height);
 
         Vector3[] joints = LayJoints(form, leg, root, height);
         Vector2[] radii = Radiate(form, leg, socket, thickness);
+        Vector3[] offsets = Offset(form, leg, thickness);
         if (!form.Lateral)
         {
-            KeepFromMidline(form, joints, radii);
+            KeepFromMidline(form, joints, radii, offsets);
         }
 
         if (standing)
@@ -100,7 +99,31 @@ internal sealed class LegPath
             KeepJointsOut(shape, joints, radii);
         }
 
-        return new LegPath(joints, radii, thickness);
+        var centres = new Vector3[joints.Length];
+        for (int k = 0; k < joints.Length; k++)
+        {
+            centres[k] = joints[k] + offsets[k];
+        }
+
+        return new LegPath(joints, centres, radii, thickness);
+    }
+
+    /// <summary>Radius of the thigh of a leg as it is grown, metres.</summary>
+    /// <param name="form">What it is built like.</param>
+    /// <param name="wanted">What it is to be.</param>
+    /// <param name="half">Half the length of its socket.</param>
+    /// <param name="height">Height of its root above the ground, or its length.</param>
+    public static float ThicknessOf(LegForm form, float wanted, float half, float height)
+    {
+        float thickness = Math.Min(wanted, half * 1.12f);
+        if (form.MinThickness > 0f)
+        {
+            // A tall leg of a slim body stays as slim as where it grows from, or it would hang there like a balloon.
+            float min = Math.Min(form.MinThickness * height, Math.Max(thickness, Balloon * half));
+            thickness = Scalar.Clamp(thickness, min, form.MaxThickness * height);
+        }
+
+        return thickness;
     }
 
     private static Vector3[] LayJoints(LegForm form, LegBlueprint leg, Vector3 root, float height)
@@ -138,15 +161,30 @@ internal sealed class LegPath
         var radii = new Vector2[form.Rows];
         for (int k = 0; k < form.Rows; k++)
         {
-            float factor = thickness * (float)leg.Stoutness * (k >= 2 ? (float)leg.Slimness : 1f) * (k >= form.Rows - form.FootRows ? (float)leg.FootSize : 1f);
-            radii[k] = new Vector2(form.ForeRadius[k], form.SideRadius[k]) * factor;
+            radii[k] = new Vector2(form.ForeRadius[k], form.SideRadius[k]) * Girth(form, leg, thickness, k);
         }
 
         radii[0] = new Vector2(socket.HalfLength, socket.HalfWidth);
         return radii;
     }
 
-    private static void KeepFromMidline(LegForm form, Vector3[] joints, Vector2[] radii)
+    /// <summary>What radii and offsets of a row are multiplied by.</summary>
+    private static float Girth(LegForm form, LegBlueprint leg, float thickness, int row) =>
+        thickness * (float)leg.Stoutness * (row >= 2 ? (float)leg.Slimness : 1f) * (row >= form.Rows - form.FootRows ? (float)leg.FootSize : 1f);
+
+    private static Vector3[] Offset(LegForm form, LegBlueprint leg, float thickness)
+    {
+        var offsets = new Vector3[form.Rows];
+        for (int k = 0; k < form.Rows; k++)
+        {
+            offsets[k] = new Vector3(form.SideOffset[k], 0f, form.ForeOffset[k]) * Girth(form, leg, thickness, k);
+        }
+
+        return offsets;
+    }
+
+    /// <summary>Moves the bones out until the flesh that is as far outside as inside of them is on its own side; what of a thigh fills the crotch is pressed flat there as it grows.</summary>
+    private static void KeepFromMidline(LegForm form, Vector3[] joints, Vector2[] radii, Vector3[] offsets)
     {
         if (form.End is FootEnd.Hoof or FootEnd.Pad)
         {
@@ -168,7 +206,7 @@ internal sealed class LegPath
 
         for (int k = 1; k < joints.Length; k++)
         {
-            joints[k].X = Math.Max(joints[k].X, radii[k].Y + InnerGap);
+            joints[k].X = Math.Max(joints[k].X, radii[k].Y + offsets[k].X + InnerGap);
         }
     }
 

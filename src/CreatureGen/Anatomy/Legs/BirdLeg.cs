@@ -20,9 +20,9 @@ internal static class BirdLeg
             Rows = new LegSection[]
             {
                 new() { Forward = 0, Down = 0, Outward = 0, ForeRadius = 1000, SideRadius = 800 },
-                new() { Forward = 50, Down = 140, Outward = 70, ForeRadius = 960, SideRadius = 740 },
-                new() { Forward = 130, Down = 320, Outward = 70, ForeRadius = 640, SideRadius = 545 },
-                new() { Forward = 80, Down = 480, Outward = 55, ForeRadius = 400, SideRadius = 350 },
+                new() { Forward = 50, Down = 140, Outward = 70, ForeRadius = 960, SideRadius = 870, SideOffset = -130 },
+                new() { Forward = 130, Down = 320, Outward = 70, ForeRadius = 640, SideRadius = 620, SideOffset = -75 },
+                new() { Forward = 80, Down = 480, Outward = 55, ForeRadius = 430, SideRadius = 360, ForeOffset = -50 },
                 new() { Forward = -45, Down = 660, Outward = 30, ForeRadius = 205, SideRadius = 180 },
                 new() { Forward = -95, Down = 760, Outward = 22, ForeRadius = 225, SideRadius = 240 },
                 new() { Forward = -40, Down = 900, Outward = 18, ForeRadius = 150, SideRadius = 140 },

@@ -19,10 +19,10 @@ internal static class DigitigradeHindLeg
             Rows = new LegSection[]
             {
                 new() { Forward = 0, Down = 0, Outward = 0, ForeRadius = 1000, SideRadius = 800 },
-                new() { Forward = 60, Down = 170, Outward = 50, ForeRadius = 1030, SideRadius = 790 },
-                new() { Forward = 120, Down = 370, Outward = 50, ForeRadius = 570, SideRadius = 425 },
-                new() { Forward = -20, Down = 530, Outward = 30, ForeRadius = 435, SideRadius = 415 },
-                new() { Forward = -170, Down = 700, Outward = 20, ForeRadius = 245, SideRadius = 215 },
+                new() { Forward = 60, Down = 170, Outward = 50, ForeRadius = 1020, SideRadius = 830, SideOffset = -80 },
+                new() { Forward = 120, Down = 370, Outward = 50, ForeRadius = 590, SideRadius = 445, ForeOffset = -40, SideOffset = -20 },
+                new() { Forward = -20, Down = 530, Outward = 30, ForeRadius = 450, SideRadius = 415, ForeOffset = -30 },
+                new() { Forward = -170, Down = 700, Outward = 20, ForeRadius = 270, SideRadius = 220, ForeOffset = -40 },
                 new() { Forward = -130, Down = 860, Outward = 20, ForeRadius = 190, SideRadius = 178 },
                 new() { Forward = -70, Down = 945, Outward = 20, ForeRadius = 270, SideRadius = 355 },
                 new() { Forward = 30, Down = 965, Outward = 20, ForeRadius = 260, SideRadius = 440 },

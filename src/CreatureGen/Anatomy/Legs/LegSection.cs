@@ -14,4 +14,10 @@ internal readonly struct LegSection
 
     /// <summary>Radius to the sides.</summary>
     public int SideRadius { get; init; }
+
+    /// <summary>How far ahead of its bone the middle of the flesh is, in thousandths of the limb's thickness: calves, elbows and heels are behind it.</summary>
+    public int ForeOffset { get; init; }
+
+    /// <summary>How far outside of its bone the middle of the flesh is, in the same.</summary>
+    public int SideOffset { get; init; }
 }

@@ -20,10 +20,10 @@ internal static class PlantigradeHindLeg
             Rows = new LegSection[]
             {
                 new() { Forward = 0, Down = 0, Outward = 0, ForeRadius = 1000, SideRadius = 850 },
-                new() { Forward = 60, Down = 200, Outward = 60, ForeRadius = 980, SideRadius = 790 },
-                new() { Forward = 110, Down = 430, Outward = 60, ForeRadius = 610, SideRadius = 460 },
-                new() { Forward = 20, Down = 620, Outward = 40, ForeRadius = 505, SideRadius = 490 },
-                new() { Forward = -50, Down = 800, Outward = 30, ForeRadius = 330, SideRadius = 300 },
+                new() { Forward = 60, Down = 200, Outward = 60, ForeRadius = 980, SideRadius = 860, SideOffset = -70 },
+                new() { Forward = 110, Down = 430, Outward = 60, ForeRadius = 680, SideRadius = 480, ForeOffset = -90 },
+                new() { Forward = 20, Down = 620, Outward = 40, ForeRadius = 520, SideRadius = 490, ForeOffset = -40 },
+                new() { Forward = -50, Down = 800, Outward = 30, ForeRadius = 350, SideRadius = 305, ForeOffset = -50 },
                 new() { Forward = 60, Down = 915, Outward = 30, ForeRadius = 290, SideRadius = 485 },
                 new() { Forward = 200, Down = 955, Outward = 30, ForeRadius = 270, SideRadius = 540 },
             },

@@ -16,8 +16,8 @@ internal static class UnguligradeForeLeg
             Rows = new LegSection[]
             {
                 new() { Forward = 0, Down = 0, Outward = 0, ForeRadius = 1000, SideRadius = 800 },
-                new() { Forward = 20, Down = 180, Outward = 40, ForeRadius = 740, SideRadius = 600 },
-                new() { Forward = -40, Down = 380, Outward = 30, ForeRadius = 420, SideRadius = 365 },
+                new() { Forward = 20, Down = 180, Outward = 40, ForeRadius = 740, SideRadius = 660, SideOffset = -60 },
+                new() { Forward = -40, Down = 380, Outward = 30, ForeRadius = 470, SideRadius = 370, ForeOffset = -70 },
                 new() { Forward = -10, Down = 550, Outward = 20, ForeRadius = 305, SideRadius = 285 },
                 new() { Forward = 20, Down = 660, Outward = 10, ForeRadius = 245, SideRadius = 260 },
                 new() { Forward = 10, Down = 780, Outward = 10, ForeRadius = 155, SideRadius = 142 },

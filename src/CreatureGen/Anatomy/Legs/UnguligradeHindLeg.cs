@@ -16,10 +16,10 @@ internal static class UnguligradeHindLeg
             Rows = new LegSection[]
             {
                 new() { Forward = 0, Down = 0, Outward = 0, ForeRadius = 1000, SideRadius = 800 },
-                new() { Forward = 50, Down = 170, Outward = 50, ForeRadius = 940, SideRadius = 720 },
-                new() { Forward = 90, Down = 340, Outward = 40, ForeRadius = 540, SideRadius = 455 },
-                new() { Forward = -30, Down = 480, Outward = 20, ForeRadius = 385, SideRadius = 335 },
-                new() { Forward = -130, Down = 610, Outward = 10, ForeRadius = 250, SideRadius = 235 },
+                new() { Forward = 50, Down = 170, Outward = 50, ForeRadius = 940, SideRadius = 830, SideOffset = -100 },
+                new() { Forward = 90, Down = 340, Outward = 40, ForeRadius = 620, SideRadius = 490, ForeOffset = -100, SideOffset = -35 },
+                new() { Forward = -30, Down = 480, Outward = 20, ForeRadius = 400, SideRadius = 335, ForeOffset = -30 },
+                new() { Forward = -130, Down = 610, Outward = 10, ForeRadius = 275, SideRadius = 235, ForeOffset = -40 },
                 new() { Forward = -100, Down = 760, Outward = 10, ForeRadius = 165, SideRadius = 150 },
                 new() { Forward = -80, Down = 875, Outward = 10, ForeRadius = 210, SideRadius = 210 },
                 new() { Forward = -40, Down = 930, Outward = 10, ForeRadius = 200, SideRadius = 210 },
