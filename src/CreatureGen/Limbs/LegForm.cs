@@ -108,5 +108,8 @@ internal sealed class LegForm
         return leg.Stance == LegStance.Hanging && trailing[kind] is { } form ? form : all[kind];
     }
 
+    /// <summary>The form of a leg that stands.</summary>
+    public static LegForm Standing(LimbArchetype archetype) => all[(int)LegKinds.Of(archetype).Archetype];
+
     private float[] Column(Func<LegSection, int> number) => Array.ConvertAll(outline.Rows, row => number(row) / 1000f);
 }

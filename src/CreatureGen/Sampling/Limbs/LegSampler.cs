@@ -323,7 +323,8 @@ internal static class LegSampler
             bool splayed = build.Posture == LimbPosture.Splayed;
             (double azimuth, double shear) = Posture(builder, placement, leg);
             double slim = LegLoad.Thicker(builder, style, leg, placement.Legs.Count) * style.Slimness * (leg.Site.Ring < BodyGrid.AnchorRing && builder.Parents.Legs.Legs == null ? 1.05 : 1);
-            Add(builder, style with { Slimness = slim, FootSize = style.FootSize * growth }, leg.Site.Archetype, LegStance.Standing, leg.Socket, leg.RootRadius, leg.RootHeight, splayed ? leg.Reach : leg.RootHeight, azimuth, shear, leg.Site.Bounds.Pad);
+            (double shank, double foot) = LegMates.Evened(builder, leg, placement.Legs);
+            Add(builder, style with { Slimness = slim * shank, FootSize = style.FootSize * growth * foot }, leg.Site.Archetype, LegStance.Standing, leg.Socket, leg.RootRadius, leg.RootHeight, splayed ? leg.Reach : leg.RootHeight, azimuth, shear, leg.Site.Bounds.Pad);
         }
     }
 
