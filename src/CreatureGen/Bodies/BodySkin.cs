@@ -52,6 +52,7 @@ internal sealed class BodySkin
         }
 
         ValueList<HeadBump> relief = Girdles.Of(creature, shape);
+        double[] withers = WithersLine.Of(creature, shape);
         for (int i = 0; i < BodyGrid.Rings; i++)
         {
             if (shape.TopExponent[i] != topExponent || shape.BottomExponent[i] != bottomExponent)
@@ -74,6 +75,11 @@ internal sealed class BodySkin
             else if (i < StationRing.TailFirst)
             {
                 ApplyBumps(relief, i, x, y);
+            }
+
+            for (int j = 0; j < Half / 2 && withers[i] != 1; j++)
+            {
+                y[j] *= (float)Scalar.Lerp(1, withers[i], WithersLine.Share(j));
             }
 
             ApplyShell(body.Shell, i, x, y);

@@ -18,6 +18,12 @@ public sealed class FairOutlineTests
     private const double SharpestBelly = 26;
     private const double SharpestBack = 22;
 
+    /// <summary>Sharpest corner of a mixed walker's withers on its skin, degrees over four rings (51 where nothing is evened out).</summary>
+    private const double SharpestWithers = 45;
+
+    /// <summary>Share of the first body in a torso below which it is mixed.</summary>
+    private const double Mixed = 0.75;
+
     /// <summary>Rings to either side of a corner that its sides go through.</summary>
     private const int Side = 2;
 
@@ -34,6 +40,38 @@ public sealed class FairOutlineTests
                 Assert.True(back < SharpestBack, FormattableString.Invariant($"{creature.Seed}: a corner of {back:0} degrees in its back"));
             }
         }
+    }
+
+    [Fact]
+    public void The_withers_of_mixed_walkers_are_no_knob()
+    {
+        int mixed = 0;
+        foreach ((CreatureBlueprint creature, BodyShape shape) in DrawnShapes.Of(RequestedKind.Walking, CreatureOptions.Default.Strangeness, First, Count))
+        {
+            if (creature.Plan is BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar
+                && creature.Body.Blend.TorsoFractions[0] < Mixed && creature.Wings.Count == 0 && creature.Body.Shell.Style == ShellStyle.None)
+            {
+                double knob = SharpestKnob(BodySkin.Span(shape, creature), 22, StationRing.Ribs);
+                Assert.True(knob < SharpestWithers, FormattableString.Invariant($"{creature.Seed}: a corner of {knob:0} degrees"));
+                mixed++;
+            }
+        }
+
+        Assert.InRange(mixed, 10, Count);
+    }
+
+    /// <summary>Sharpest turn down of the line of the back as it goes back, degrees.</summary>
+    private static double SharpestKnob(BodySkin skin, int first, int last)
+    {
+        double sharpest = 0;
+        for (int ring = first; ring <= last; ring++)
+        {
+            sharpest = Math.Max(sharpest, Rise(ring - Side) - Rise(ring));
+        }
+
+        return sharpest;
+
+        double Rise(int ring) => 180 / Math.PI * Math.Atan2(skin[ring + Side, 0].Y - skin[ring, 0].Y, skin[ring, 0].Z - skin[ring + Side, 0].Z);
     }
 
     /// <summary>Sharpest turn of the outline inwards as it goes back, degrees.</summary>
