@@ -179,9 +179,15 @@ internal sealed class CoatPainter
 
     private Vector3 Limb(Vector3 undercoat, in SkinPlace place)
     {
-        float fraction = place.Region == SurfaceRegion.Toe ? 0.85f : 0.8f * Scalar.Smooth((place.Along - 0.35f) / 0.4f);
-        return Vec.Lerp(undercoat, palette.Limb, fraction);
+        float edge = 0.14f * (tide.At(place.Position * 11f) - 0.5f);
+        float fraction = place.Region == SurfaceRegion.Toe ? 0.85f : 0.8f * Scalar.Smooth((place.Along + edge - 0.27f) / 0.56f);
+
+        // Evenly to the eye: in linear light a pale foot shines through a dark leg at its first tenths, and the rest is a sock.
+        Vector3 seen = Vec.Lerp(Root(undercoat), Root(palette.Limb), fraction);
+        return seen * seen;
     }
+
+    private static Vector3 Root(Vector3 colour) => new((float)Math.Sqrt(colour.X), (float)Math.Sqrt(colour.Y), (float)Math.Sqrt(colour.Z));
 
     private static float Limit(float channel) => Scalar.Clamp(channel, DarkestChannel, 1f);
 }

@@ -45,6 +45,9 @@ internal sealed class PatternField
     /// <summary>Difference of the two nearest distances, in cells, across half a seam of plates, and across the whole of its soft edge.</summary>
     private const float SeamWidth = 0.09f, SeamEdge = 0.10f;
 
+    /// <summary>Width of the edge of a saddle, as the cosine of the angle around the body: a hard one is a painted cloth.</summary>
+    private const float SaddleEdge = 0.5f;
+
     /// <summary>Odd, so that the marks of no two individuals are those of another species' pattern a few steps on.</summary>
     private const int MarkStep = 0x2545F491;
 
@@ -160,7 +163,8 @@ internal sealed class PatternField
     private float Saddle(in PatternPlace place)
     {
         float ragged = Clouds(place, 5f, 14f, 0.7f) - 0.5f;
+        float tips = fineClouds.At(place.Position * (42f * scale)) - 0.5f;
         float height = (float)PortableMath.Cos(place.Around);
-        return Scalar.Smooth((height - 0.15f + (0.75f * ragged)) / 0.25f);
+        return Scalar.Smooth((height - 0.05f + (0.75f * ragged) + (0.3f * tips)) / SaddleEdge);
     }
 }
