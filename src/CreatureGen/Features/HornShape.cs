@@ -51,7 +51,7 @@ internal static class HornShape
     {
         float root = Scalar.Smooth((0.30f - s) / 0.30f);
         float tip = Scalar.Smooth((s - 0.35f) / 0.65f);
-        return colour * Scalar.Lerp(1f, 0.62f, root) * Scalar.Lerp(1f, form.Tip, tip);
+        return colour * Scalar.Lerp(1f, form.Root, root) * Scalar.Lerp(1f, form.Tip, tip);
     }
 
     private static Vector3 Clamp(Vector3 c) => new(Scalar.Clamp(c.X, 0f, 1f), Scalar.Clamp(c.Y, 0f, 1f), Scalar.Clamp(c.Z, 0f, 1f));
@@ -61,7 +61,7 @@ internal static class HornShape
         FeatureKind.Horn => new Form(sides: 8, rows: 8, ridge: 0.07f, tip: 0.45f),
         FeatureKind.Spike => new Form(sides: 6, rows: 2, ridge: 0f, tip: 1.15f),
         FeatureKind.Mandible => new Form(sides: 6, rows: 6, ridge: 0f, tip: 0.35f),
-        FeatureKind.Tusk => new Form(sides: 7, rows: 6, ridge: 0f, tip: 1.25f),
+        FeatureKind.Tusk => new Form(sides: 7, rows: 6, ridge: 0f, tip: 1.1f, root: 0.4f),
         FeatureKind.Tuft => new Form(sides: 6, rows: 5, ridge: 0f, tip: 0.55f),
         FeatureKind.Scute => new Form(sides: 6, rows: 2, ridge: 0f, tip: 0.7f),
         FeatureKind.Ocellus => new Form(sides: 8, rows: 4, ridge: 0f, tip: 1f),
@@ -73,12 +73,13 @@ internal static class HornShape
     /// <summary>Resolution and shading of one kind.</summary>
     private readonly struct Form
     {
-        public Form(int sides, int rows, float ridge, float tip)
+        public Form(int sides, int rows, float ridge, float tip, float root = 0.62f)
         {
             Sides = sides;
             Rows = rows;
             Ridge = ridge;
             Tip = tip;
+            Root = root;
         }
 
         public int Sides { get; }
@@ -90,5 +91,8 @@ internal static class HornShape
 
         /// <summary>Factor on the colour at the tip.</summary>
         public float Tip { get; }
+
+        /// <summary>Factor on the colour at the root: tusks are stained where they leave the gum.</summary>
+        public float Root { get; }
     }
 }

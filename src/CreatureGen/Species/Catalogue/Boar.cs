@@ -41,7 +41,7 @@ internal static class Boar
         Parts = new[]
         {
             new PartSlot(
-                new PartChoice(1, new PartPreset(new FeatureBlueprint(FeatureKind.Tusk, Ring: 3.4, Segment: 10.4, Length: 0.13, Radius: 0.022, Outward: 0.2, Upward: -0.1, Forward: 0.5, Sideward: 0.7, BendUp: 0.55, BendForward: 0, BendSide: 0, Flatness: 1, Taper: 0.9), 0.7, 1.6)),
+                new PartChoice(1, new PartPreset(new FeatureBlueprint(FeatureKind.Tusk, Ring: 3.4, Segment: 10.4, Length: 0.13, Radius: 0.022, Outward: 0.1, Upward: 0.1, Forward: 0.5, Sideward: 0.45, BendUp: 0.8, BendForward: 0, BendSide: 0, Flatness: 1, Taper: 0.9), 0.7, 1.6)),
                 new PartChoice(0.4)),
             new PartSlot(new PartChoice(1) { Mane = NeckPresets.Bristles }),
         },
