@@ -48,6 +48,7 @@ internal sealed class FallProfile
 
     private static readonly TimeWindow head = new(0f, 0.45f);
     private static readonly TimeWindow limbs = new(0f, 0.5f);
+    private static readonly TimeWindow wings = new(0.25f, 0.9f);
     private static readonly TimeWindow rest = new(0.1f, 0.9f);
 
     private readonly Lazy<LyingManner?> lying;
@@ -68,7 +69,8 @@ internal sealed class FallProfile
         Tail = JointsOf(subject.Skeleton, role => role == JointRole.Tail);
         trunk = JointsOf(subject.Skeleton, role => role is JointRole.Pelvis or JointRole.Spine or JointRole.Chest);
         Overlaid = JointsOf(subject.Skeleton, role => role is JointRole.Neck or JointRole.Head or JointRole.Jaw or JointRole.Eye or JointRole.Antenna or JointRole.Tail);
-        Limbs = LyingLimb.Of(legs);
+        Legs = LyingLeg.Of(legs);
+        Limbs = LyingLimb.Of(subject, Legs);
         lying = new Lazy<LyingManner?>(() => legs == null || Array.Exists(legs.Legs, leg => leg.Lateral) ? null : lies());
         Inertias = HangingInertia.Of(subject.Skeleton, Ragdoll, Mass, legs == null ? ReadOnlySpan<int>.Empty : Array.ConvertAll(legs.Legs, leg => leg.End));
         Height = legs?.LegLength ?? BodyHeight * Ragdoll.Size;
@@ -103,7 +105,7 @@ internal sealed class FallProfile
     /// <summary>Whether water carries it.</summary>
     public bool Swims { get; }
 
-    /// <summary>When each joint moves as it gathers itself: the head first, the legs before the body rolls over them, then the rest.</summary>
+    /// <summary>When each joint moves as it gathers itself: the head first, the legs before the body rolls over them, the wings as it rolls off them, then the rest.</summary>
     public TimeWindow[] Windows { get; }
 
     /// <summary>For each joint how much what hangs on it resists turning, kg m²; 0 where it does not give to a blow.</summary>
@@ -131,6 +133,9 @@ internal sealed class FallProfile
     public int[] Overlaid { get; }
 
     /// <summary>Its legs.</summary>
+    public LyingLeg[] Legs { get; }
+
+    /// <summary>What gives way to the ground as it gathers itself: legs, arms and wings.</summary>
     public LyingLimb[] Limbs { get; }
 
     /// <summary>How it lies on its belly; null for what has no legs, or any out to the side, and where it cannot. Worked out when it is first asked for, which takes some ten milliseconds.</summary>
@@ -190,7 +195,8 @@ internal sealed class FallProfile
             JointRole role = skeleton.Joints[j].Role;
             int parent = skeleton.Parents[j];
             windows[j] = role is JointRole.Neck or JointRole.Head ? head
-                : role is JointRole.Girdle or JointRole.Hip or JointRole.Wing or JointRole.Fin ? limbs
+                : role is JointRole.Girdle or JointRole.Hip or JointRole.Fin ? limbs
+                : role == JointRole.Wing ? wings
                 : role is JointRole.Knee or JointRole.Ankle or JointRole.Ball or JointRole.End or JointRole.Jaw or JointRole.Ear or JointRole.Antenna && parent >= 0 ? windows[parent]
                 : rest;
         }

@@ -49,7 +49,7 @@ internal sealed class GettingUp
     private readonly FallProfile profile;
     private readonly ILocomotionMode inner;
     private readonly IRise? rising;
-    private readonly LyingLimb[] drawn;
+    private readonly LyingLeg[] drawn;
     private readonly Vector3[] ankles;
     private readonly Vector3[] standing;
     private readonly LocalPose last;
@@ -77,7 +77,7 @@ internal sealed class GettingUp
         this.profile = profile;
         this.inner = inner;
         rising = legs == null ? null : profile.Lying is LyingManner lying ? new BellyRise(profile, lying, legs) : new CrouchRise(profile, legs);
-        drawn = Array.FindAll(profile.Limbs, limb => !limb.Lateral && !profile.Swims);
+        drawn = Array.FindAll(profile.Legs, leg => !leg.Lateral && !profile.Swims);
         from = new PoseBuffer(profile.Skeleton);
         to = new LocalPose(profile.Skeleton);
         shown = new PoseBuffer(profile.Skeleton);
@@ -253,9 +253,9 @@ internal sealed class GettingUp
     private bool IsUp()
     {
         bool up = profile.TrunkHeight(shown.Model) > height - (HardlyLow * profile.Height);
-        foreach (LyingLimb limb in profile.Limbs)
+        foreach (LyingLeg leg in profile.Legs)
         {
-            int ankle = limb.Joints[2];
+            int ankle = leg.Rig.Ankle;
             up &= Vec.Distance(shown.Model.Positions[ankle], standing[ankle]) < HardlyAstray * profile.Height;
         }
 
@@ -317,10 +317,10 @@ internal sealed class GettingUp
         GroundClearance.Settle(profile, shown, place, depth, Scalar.Smooth(u * gather / (SettleTime * unit)) * (1f - raised), settings.Up, ground);
         profile.Raise(shown.Local, height);
         shown.Finish();
-        foreach (LyingLimb limb in drawn)
+        foreach (LyingLeg leg in drawn)
         {
-            int ankle = limb.Joints[2];
-            LimbDraw.Apply(profile.Skeleton, limb, from.Model.Positions[ankle], ankles[ankle], Scalar.Smooth(u), shown);
+            int ankle = leg.Rig.Ankle;
+            LimbDraw.Apply(profile.Skeleton, leg, from.Model.Positions[ankle], ankles[ankle], Scalar.Smooth(u), shown);
         }
 
         LimbFold.Up(profile, profile.Limbs, shown, folded.Pose, FastestLimb * dt / unit, raised, place, depth, settings.Up, ground);

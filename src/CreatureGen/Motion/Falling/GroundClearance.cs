@@ -17,7 +17,7 @@ internal static class GroundClearance
     /// <summary>Least lever of a chain, part of its length.</summary>
     private const float MinLever = 0.4f;
 
-    /// <summary>Lets the trunk down onto the ground, or lifts it out of it; the rest goes with it.</summary>
+    /// <summary>Lets the trunk without its wings down onto the ground, or lifts it out of it; the rest goes with it.</summary>
     /// <param name="profile">Whose.</param>
     /// <param name="pose">Its local pose is changed, that in model space brought up to date.</param>
     /// <param name="place">Where the creature is.</param>
@@ -27,7 +27,7 @@ internal static class GroundClearance
     /// <param name="ground">What it lies on.</param>
     public static void Settle(FallProfile profile, PoseBuffer pose, in RootPlace place, float depth, float settles, Vector3 up, IGround ground)
     {
-        float shift = depth - profile.Support.Lowest(BodyPart.Trunk, place, pose.Model, up, ground, out _);
+        float shift = depth - profile.Support.Lowest(BodyPart.Torso, place, pose.Model, up, ground, out _);
         profile.Raise(pose.Local, shift > 0f ? shift : settles * shift);
         pose.Finish();
     }

@@ -15,12 +15,12 @@ internal static class LimbDraw
 
     /// <summary>Draws a leg.</summary>
     /// <param name="skeleton">Whose.</param>
-    /// <param name="limb">The leg.</param>
+    /// <param name="lying">The leg.</param>
     /// <param name="from">Where its ankle was, model space.</param>
     /// <param name="to">Where it will be.</param>
     /// <param name="w">How far on its way it is, 0..1.</param>
     /// <param name="pose">Its local pose is changed, that in model space brought up to date.</param>
-    public static void Apply(Skeleton skeleton, LyingLimb limb, Vector3 from, Vector3 to, float w, PoseBuffer pose)
+    public static void Apply(Skeleton skeleton, LyingLeg lying, Vector3 from, Vector3 to, float w, PoseBuffer pose)
     {
         float weight = Scalar.Smooth(Math.Min(w, 1f - w) / Blending);
         if (weight == 0f)
@@ -28,10 +28,10 @@ internal static class LimbDraw
             return;
         }
 
-        LegRig leg = limb.Leg;
+        LegRig leg = lying.Rig;
         ReadOnlySpan<Quaternion> rest = skeleton.ModelRotations;
         Quaternion thigh = Rotation.Multiply(pose.Model.Rotations[leg.Hip], Rotation.Inverse(rest[leg.Hip]));
-        LegSolver.Solve(leg, limb.Parts, Vec.Lerp(from, to, w) - pose.Model.Positions[leg.Hip], Rotation.Rotate(thigh, leg.Hinge), 0f, 0f, out LegRotations solved);
+        LegSolver.Solve(leg, lying.Parts, Vec.Lerp(from, to, w) - pose.Model.Positions[leg.Hip], Rotation.Rotate(thigh, leg.Hinge), 0f, 0f, out LegRotations solved);
         Quaternion carrier = pose.Model.Rotations[skeleton.Parents[leg.Hip]];
         Quaternion hip = Rotation.Multiply(Rotation.Inverse(carrier), Rotation.Multiply(solved.Thigh, rest[leg.Hip]));
         Quaternion knee = Rotation.Multiply(leg.KneeRest, new Quaternion(solved.KneeHalfSine, 0f, 0f, solved.Knee.W));

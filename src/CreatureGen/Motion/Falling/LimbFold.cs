@@ -6,7 +6,7 @@ using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Falling;
 
-/// <summary>Takes legs over the ground to where they belong: turned straight there they would go through it and lift the body. The joints of each turn by as much as each of them raises its lowest point (damped least squares), so that nothing turns over where that point is right below a joint; it goes on from how it was folded before, so that it does not go to and fro between two ways around.</summary>
+/// <summary>Takes legs, arms and wings over the ground to where they belong: turned straight there they would go through it and lift the body. The joints of each turn by as much as each of them raises its lowest point (damped least squares), so that nothing turns over where that point is right below a joint; it goes on from how it was folded before, so that it does not go to and fro between two ways around.</summary>
 internal static class LimbFold
 {
     /// <summary>Radians by which a joint turns in a round at most.</summary>
@@ -31,7 +31,7 @@ internal static class LimbFold
     /// <param name="ground">What it lies on.</param>
     public static void Up(FallProfile profile, LyingLimb[] limbs, PoseBuffer pose, in Pose folded, float step, float home, in RootPlace place, float depth, Vector3 up, IGround ground)
     {
-        Span<Quaternion> belongs = stackalloc Quaternion[LyingLimb.JointCount];
+        Span<Quaternion> belongs = stackalloc Quaternion[LyingLimb.MaxJoints];
         foreach (LyingLimb limb in limbs)
         {
             int[] joints = limb.Joints;
@@ -76,7 +76,7 @@ internal static class LimbFold
     {
         int hip = limb.Joints[0];
         float damping = Damped * limb.Length * (Damped * limb.Length);
-        Span<Quaternion> best = stackalloc Quaternion[LyingLimb.JointCount];
+        Span<Quaternion> best = stackalloc Quaternion[LyingLimb.MaxJoints];
         float least = float.MaxValue;
         for (int round = 0; ; round++)
         {

@@ -7,13 +7,13 @@ namespace CreatureGen.Motion.Falling;
 /// <param name="Ankle">And its ankle.</param>
 internal readonly record struct LimbYield(int Rounds, float Part, float Knee, float Ankle)
 {
-    /// <summary>Of a leg out to the side: with all its joints, until it is out.</summary>
-    public static LimbYield Lateral { get; } = new(12, 1f, 1f, 1f);
+    /// <summary>Of a leg out to the side, an arm or a wing: with all its joints, until it is out.</summary>
+    public static LimbYield Free { get; } = new(12, 1f, 1f, 1f);
 
-    /// <summary>Of a leg under the body: a knee that stretches for it would not fold, and one that is pressed between body and ground would go to and fro: it is the body that heaves itself up then.</summary>
-    public static LimbYield Under { get; } = new(4, 0.5f, 0.1f, 0.5f);
+    /// <summary>Of a leg under the body: a knee that stretches for it as readily would not fold, and one that is pressed between body and ground would go to and fro: it is the body that heaves itself up then.</summary>
+    public static LimbYield Under { get; } = new(12, 0.5f, 0.3f, 1f);
 
     /// <summary>How readily a joint does, 0..1.</summary>
-    /// <param name="joint">0 the hip, 1 the knee, 2 the ankle.</param>
+    /// <param name="joint">0 the hip, 1 the knee, 2 the ankle; on an arm or a wing what is as far out.</param>
     public float Of(int joint) => joint == 0 ? 1f : joint == 1 ? Knee : Ankle;
 }

@@ -85,21 +85,21 @@ internal sealed class SupportPoints
     }
 
     /// <summary>The same of a single limb.</summary>
-    /// <param name="hip">The joint at its root.</param>
-    /// <param name="root">Where the creature is.</param>
+    /// <param name="root">The joint at its root.</param>
+    /// <param name="at">Where the creature is.</param>
     /// <param name="model">Its pose.</param>
     /// <param name="up">Unit, world space.</param>
     /// <param name="ground">What it is on.</param>
     /// <param name="place">Receives where that point is, model space.</param>
-    public float LowestOfLimb(int hip, in RootPlace root, in Pose model, Vector3 up, IGround ground, out Vector3 place)
+    public float LowestOfLimb(int root, in RootPlace at, in Pose model, Vector3 up, IGround ground, out Vector3 place)
     {
         float lowest = size;
         place = Vector3.Zero;
         foreach (ref readonly SupportPoint point in points.AsSpan())
         {
-            if (point.Part == BodyPart.Limb && point.Root == hip)
+            if (point.Root == root)
             {
-                Lower(point, root, model, up, ground, ref lowest, ref place);
+                Lower(point, at, model, up, ground, ref lowest, ref place);
             }
         }
 
@@ -132,13 +132,20 @@ internal sealed class SupportPoints
                     return BodyPart.Head;
                 case JointRole.Tail:
                     return BodyPart.Tail;
-                case JointRole.Wing or JointRole.Pelvis or JointRole.Spine or JointRole.Chest:
-                    return BodyPart.Trunk;
+                case JointRole.Wing:
+                    while (skeleton.Joints[skeleton.Parents[root]].Role == JointRole.Wing)
+                    {
+                        root = skeleton.Parents[root];
+                    }
+
+                    return BodyPart.Wing;
+                case JointRole.Pelvis or JointRole.Spine or JointRole.Chest:
+                    return BodyPart.Torso;
             }
         }
 
         root = -1;
-        return BodyPart.Trunk;
+        return BodyPart.Torso;
     }
 
     /// <summary>Takes a point that is lower than all before.</summary>
@@ -171,7 +178,7 @@ internal sealed class SupportPoints
     /// <param name="Rest">At rest, model space.</param>
     /// <param name="Weights">The joints that move it.</param>
     /// <param name="Part">What it is of.</param>
-    /// <param name="Root">The joint that says so: of a limb its hip.</param>
+    /// <param name="Root">The joint that says so: of a limb its hip, of a wing its first.</param>
     private readonly record struct SupportPoint(Vector3 Rest, SkinWeights Weights, BodyPart Part, int Root);
 }
 
@@ -179,8 +186,8 @@ internal sealed class SupportPoints
 [Flags]
 internal enum BodyPart
 {
-    /// <summary>The trunk and its wings: it lies on them.</summary>
-    Trunk = 1,
+    /// <summary>The trunk without its wings: it lies on it.</summary>
+    Torso = 1,
 
     /// <summary>Neck, head and what is on it: they are lifted out of the ground.</summary>
     Head = 2,
@@ -190,6 +197,12 @@ internal enum BodyPart
 
     /// <summary>Legs and arms: they are as well.</summary>
     Limb = 8,
+
+    /// <summary>Wings: a body rolls over them, and they give way to the ground as limbs do.</summary>
+    Wing = 16,
+
+    /// <summary>The trunk and its wings.</summary>
+    Trunk = Torso | Wing,
 
     /// <summary>All of it.</summary>
     All = Trunk | Head | Tail | Limb,

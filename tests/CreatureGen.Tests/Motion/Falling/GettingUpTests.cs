@@ -313,6 +313,27 @@ public sealed class GettingUpTests
         Assert.InRange(SecondsToRise(profile) / MathF.Sqrt(profile.LegLength / 9.81f), 5f, 11f);
     }
 
+    /// <summary>Arms and wings that were turned straight to their places through the ground heaved these up: to .64, .87 and .55 of their standing height in the first half.</summary>
+    [Theory]
+    [InlineData(RequestedKind.Walking, 18210022UL, 0.55f)]
+    [InlineData(RequestedKind.Walking, 18200007UL, 0.82f, Explicit = true)]
+    [InlineData(RequestedKind.Walking, 18210043UL, 0.45f, Explicit = true)]
+    public void No_arm_or_wing_that_lies_under_a_body_lifts_it(RequestedKind kind, ulong seed, float most)
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind }));
+        CreatureAnimator animator = Lying(profile);
+        animator.GetUp();
+        var heights = new List<float>();
+        for (int i = 0; i < 3000 && animator.State != BodyState.Supported; i++)
+        {
+            animator.Update(Frame, default, FlatGround.Level);
+            heights.Add(Trunk(animator));
+        }
+
+        Assert.Equal(BodyState.Supported, animator.State);
+        Assert.InRange(heights.Take(heights.Count / 2).Max() / Trunk(animator), 0f, most);
+    }
+
     /// <summary>They were heaved up as their legs came under them, lay down on these by .22 to .55 of a leg and rose again. As they were then (<see cref="KeptCreatures"/>).</summary>
     [Theory]
     [InlineData(12500231UL)]
