@@ -1,5 +1,6 @@
 using System;
 using System.IO;
+using CreatureGen.Geometry;
 using CreatureGen.Png;
 using CreatureGen.Preview.Pictures;
 
@@ -77,7 +78,8 @@ public sealed class AnimatedPngWriter
 
         WriteFrameControl(left, top, width, height);
         ReadOnlySpan<byte> bytes = frame.Bytes[((top * frame.Stride) + (left * frame.BytesPerPixel))..];
-        BitSink packed = Deflater.Compress(PngFilter.Apply(bytes, frame.Stride, width * frame.BytesPerPixel, height, frame.BytesPerPixel));
+        using PooledList<byte> filtered = PngFilter.Apply(bytes, frame.Stride, width * frame.BytesPerPixel, height, frame.BytesPerPixel);
+        using BitSink packed = Deflater.Compress(filtered.Items);
         if (last is null)
         {
             PngChunks.Write(stream, "IDAT"u8, packed.Bytes, default);

@@ -26,21 +26,29 @@ public sealed class CreatureTextures
     /// <summary>Most texels along a side.</summary>
     public const int LargestSize = 4096;
 
-    private readonly AtlasPictures pictures;
+    private readonly byte[] baseColour;
+    private readonly byte[] normal;
+    private readonly byte[] roughness;
 
-    private CreatureTextures(AtlasPictures pictures) => this.pictures = pictures;
+    private CreatureTextures(AtlasPictures pictures)
+    {
+        Size = pictures.Size;
+        baseColour = pictures.BaseColour;
+        normal = pictures.Normal;
+        roughness = pictures.Roughness;
+    }
 
     /// <summary>Texels along a side.</summary>
-    public int Size => pictures.Size;
+    public int Size { get; }
 
     /// <summary>Base colour, sRGB.</summary>
-    public ReadOnlySpan<byte> BaseColour => pictures.BaseColour;
+    public ReadOnlySpan<byte> BaseColour => baseColour;
 
     /// <summary>Normals in tangent space as glTF has them: red along u, green against v, blue outwards; 128 is nought.</summary>
-    public ReadOnlySpan<byte> Normal => pictures.Normal;
+    public ReadOnlySpan<byte> Normal => normal;
 
     /// <summary>Roughness in the green channel, metalness (none) in the blue one.</summary>
-    public ReadOnlySpan<byte> Roughness => pictures.Roughness;
+    public ReadOnlySpan<byte> Roughness => roughness;
 
     /// <summary>Paints the atlas of a creature. The same creature and size give the same bytes.</summary>
     /// <param name="creature">The creature; its blueprint says all that is needed.</param>
@@ -64,7 +72,7 @@ public sealed class CreatureTextures
         var normals = new Vector3[surface.Positions.Length];
         SurfaceNormals.Smooth(surface.Positions, surface.Triangles, surface.Mirror, normals);
         EyeFrame eye = EyeSetter.EyeOf(creature.Blueprint, grown);
-        var pictures = new AtlasPictures(size);
+        using var pictures = new AtlasPictures(size);
         PaintSwatches(pictures);
         ChartPacking packing = ChartPacking.Pack(surface);
         Paint(surface, packing, new VertexCoat(Coat(), surface, normals), size, PainterOf);
@@ -107,7 +115,7 @@ public sealed class CreatureTextures
     /// <summary>Paints band by band. The right side shares the texels of the left; few faces of it, if any, find one that is not painted yet.</summary>
     private static void Paint(Surface surface, ChartPacking packing, VertexCoat coat, int size, Func<RowBand, CoarseColours?, TexturePainter> painterOf)
     {
-        var left = new List<ChartFace>(surface.Faces.Length / 2);
+        using var left = new PooledList<ChartFace>(surface.Faces.Length / 2);
         var right = new List<int>(surface.Faces.Length / 2);
         for (int f = 0; f < surface.Faces.Length; f++)
         {
@@ -121,7 +129,7 @@ public sealed class CreatureTextures
             }
         }
 
-        CoarseColours? coarse = size >= CoarseColours.MinAtlas ? new CoarseColours(size) : null;
+        using CoarseColours? coarse = size >= CoarseColours.MinAtlas ? new CoarseColours(size) : null;
         if (coarse != null)
         {
             ForEachBand(size, rows => Each(left, painterOf(rows, coarse).Sketch));
@@ -140,9 +148,10 @@ public sealed class CreatureTextures
 
     private delegate void FaceAction(in ChartFace face);
 
-    private static void Each(List<ChartFace> faces, FaceAction action)
+    /// <summary>Does something with each face where it lies: half a kilobyte each is not copied for every band.</summary>
+    private static void Each(PooledList<ChartFace> faces, FaceAction action)
     {
-        foreach (ChartFace face in faces)
+        foreach (ref readonly ChartFace face in faces.Items)
         {
             action(face);
         }

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.IO;
 using CreatureGen.Concurrency;
 using CreatureGen.Creatures;
 using CreatureGen.Png;
@@ -33,7 +32,7 @@ internal sealed class TextureImages
     public static TextureImages Of(CreatureTextures textures)
     {
         var files = new byte[Names.Count][];
-        IndependentParts.Run(files.Length, picture => files[picture] = Pack(PixelsOf(textures, picture), textures.Size));
+        IndependentParts.Run(files.Length, picture => files[picture] = PngEncoder.FileOf(PixelsOf(textures, picture), textures.Size, textures.Size));
         return new TextureImages(files);
     }
 
@@ -44,11 +43,4 @@ internal sealed class TextureImages
         Roughness => textures.Roughness,
         _ => throw new ArgumentOutOfRangeException(nameof(picture), picture, "expected 0..2"),
     };
-
-    private static byte[] Pack(ReadOnlySpan<byte> pixels, int size)
-    {
-        using var stream = new MemoryStream();
-        PngEncoder.Write(pixels, size, size, PngPixels.Rgb, stream);
-        return stream.ToArray();
-    }
 }

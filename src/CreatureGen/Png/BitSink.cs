@@ -1,9 +1,10 @@
 using System;
+using System.Buffers;
 
 namespace CreatureGen.Png;
 
-/// <summary>Collects bits into bytes, lowest bit first, as deflate packs them.</summary>
-internal sealed class BitSink
+/// <summary>Collects bits into bytes, lowest bit first, as deflate packs them; the bytes lie in memory borrowed from the pool.</summary>
+internal sealed class BitSink : IDisposable
 {
     // What the runtime allows for arrays of bytes.
     private const int LongestArray = 0x7FFFFFC7;
@@ -13,9 +14,9 @@ internal sealed class BitSink
     private ulong pending;
     private int pendingBits;
 
-    public BitSink(int capacity) => bytes = new byte[Math.Max(64, capacity)];
+    public BitSink(int capacity) => bytes = ArrayPool<byte>.Shared.Rent(Math.Max(64, capacity));
 
-    /// <summary>All whole bytes so far.</summary>
+    /// <summary>All whole bytes so far; gone when this is disposed of.</summary>
     public ReadOnlySpan<byte> Bytes => bytes.AsSpan(0, count);
 
     /// <summary>Appends the lowest <paramref name="length"/> bits (at most 32), whose higher bits are zero.</summary>
@@ -63,11 +64,25 @@ internal sealed class BitSink
     public void AppendBigEndian(uint value) =>
         Append([(byte)(value >> 24), (byte)(value >> 16), (byte)(value >> 8), (byte)value]);
 
+    /// <summary>Gives the memory back.</summary>
+    public void Dispose()
+    {
+        if (bytes.Length > 0)
+        {
+            ArrayPool<byte>.Shared.Return(bytes);
+            bytes = Array.Empty<byte>();
+            count = 0;
+        }
+    }
+
     private void Reserve(int more)
     {
         if (bytes.Length - count < more)
         {
-            Array.Resize(ref bytes, Math.Max(checked(count + more), (int)Math.Min(LongestArray, bytes.Length * 2L)));
+            byte[] larger = ArrayPool<byte>.Shared.Rent(Math.Max(checked(count + more), (int)Math.Min(LongestArray, bytes.Length * 2L)));
+            Bytes.CopyTo(larger);
+            ArrayPool<byte>.Shared.Return(bytes);
+            bytes = larger;
         }
     }
 }

@@ -22,6 +22,10 @@ internal sealed class Deflater
     private const int GoodMatch = 16;
     private const int LongMatch = 48;
 
+    // That of the last stream of this thread: its tables are large, and as long as those of the next one.
+    [ThreadStatic]
+    private static Deflater? spare;
+
     private readonly int[] heads = new int[1 << HashBits];
     private readonly int[] previous = new int[WindowSize];
 
@@ -30,12 +34,12 @@ internal sealed class Deflater
     private readonly DeflateBlock block = new();
     private int tokenCount;
 
-    /// <summary>The zlib stream of <paramref name="bytes"/>.</summary>
+    /// <summary>The zlib stream of <paramref name="bytes"/>, to be disposed of.</summary>
     public static BitSink Compress(ReadOnlySpan<byte> bytes)
     {
         var sink = new BitSink((bytes.Length / 4) + 64);
         sink.Append([0x78, 0x9C]);
-        new Deflater().Compress(bytes, sink);
+        (spare ??= new Deflater()).Compress(bytes, sink);
         sink.Align();
         sink.AppendBigEndian(Adler32.Of(bytes));
         return sink;
@@ -44,6 +48,7 @@ internal sealed class Deflater
     private void Compress(ReadOnlySpan<byte> bytes, BitSink sink)
     {
         Array.Fill(heads, -WindowSize);
+        tokenCount = 0;
         int blockStart = 0;
         int at = 0;
         int pendingLength = 0;

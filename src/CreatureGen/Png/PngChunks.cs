@@ -6,6 +6,9 @@ namespace CreatureGen.Png;
 /// <summary>The signature and the chunks of a PNG file (ISO/IEC 15948), in the order they are written.</summary>
 internal static class PngChunks
 {
+    /// <summary>Bytes of a file of one chunk of data besides those.</summary>
+    public const int Overhead = 8 + (12 + 13) + (12 + 1) + 12 + 12;
+
     /// <summary>What every PNG file begins with.</summary>
     public static ReadOnlySpan<byte> Signature => [0x89, (byte)'P', (byte)'N', (byte)'G', 0x0D, 0x0A, 0x1A, 0x0A];
 

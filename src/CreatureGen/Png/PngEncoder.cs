@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using System.Text;
+using CreatureGen.Geometry;
 
 namespace CreatureGen.Png;
 
@@ -35,10 +36,34 @@ public static class PngEncoder
             throw new ArgumentException(FormattableString.Invariant($"{pixels.Length} bytes for a picture of {width} × {height} {layout}; expected {bytesPerPixel} for each pixel"), nameof(pixels));
         }
 
+        using BitSink packed = Pack(pixels, width, height, bytesPerPixel);
+        WriteFile(packed.Bytes, width, height, layout, stream);
+    }
+
+    /// <summary>The file of a picture without transparency.</summary>
+    /// <param name="pixels">Three bytes for each pixel, rows from the top, without gaps.</param>
+    /// <param name="width">Columns, at least 1.</param>
+    /// <param name="height">Rows, at least 1.</param>
+    internal static byte[] FileOf(ReadOnlySpan<byte> pixels, int width, int height)
+    {
+        using BitSink packed = Pack(pixels, width, height, 3);
+        byte[] file = new byte[PngChunks.Overhead + packed.Bytes.Length];
+        using var stream = new MemoryStream(file);
+        WriteFile(packed.Bytes, width, height, PngPixels.Rgb, stream);
+        return file;
+    }
+
+    private static BitSink Pack(ReadOnlySpan<byte> pixels, int width, int height, int bytesPerPixel)
+    {
         int stride = width * bytesPerPixel;
-        byte[] filtered = PngFilter.Apply(pixels, stride, stride, height, bytesPerPixel);
+        using PooledList<byte> filtered = PngFilter.Apply(pixels, stride, stride, height, bytesPerPixel);
+        return Deflater.Compress(filtered.Items);
+    }
+
+    private static void WriteFile(ReadOnlySpan<byte> packed, int width, int height, PngPixels layout, Stream stream)
+    {
         PngChunks.WriteStart(stream, width, height, layout);
-        PngChunks.Write(stream, imageData, Deflater.Compress(filtered).Bytes, default);
+        PngChunks.Write(stream, imageData, packed, default);
         PngChunks.WriteEnd(stream);
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using CreatureGen.Geometry;
 
 namespace CreatureGen.Png;
 
@@ -13,17 +14,16 @@ internal static class PngFilter
     /// <param name="rowBytes">Bytes used of each row.</param>
     /// <param name="rows">Number of rows.</param>
     /// <param name="bytesPerPixel">Distance to the left neighbour.</param>
-    /// <returns>For each row the number of its filter, then its bytes.</returns>
-    public static byte[] Apply(ReadOnlySpan<byte> bytes, int stride, int rowBytes, int rows, int bytesPerPixel)
+    /// <returns>For each row the number of its filter, then its bytes; to be disposed of.</returns>
+    public static PooledList<byte> Apply(ReadOnlySpan<byte> bytes, int stride, int rowBytes, int rows, int bytesPerPixel)
     {
-        var filtered = new byte[checked((rowBytes + 1) * rows)];
+        var filtered = new PooledList<byte>(checked((rowBytes + 1) * rows));
         var filters = new RowFilters(rowBytes, bytesPerPixel);
         for (int y = 0; y < rows; y++)
         {
-            Span<byte> target = filtered.AsSpan(y * (rowBytes + 1), rowBytes + 1);
             int best = filters.Best(bytes.Slice(y * stride, rowBytes));
-            target[0] = (byte)best;
-            filters.Result(best).CopyTo(target[1..]);
+            filtered.Add((byte)best);
+            filtered.AddRange(filters.Result(best));
         }
 
         return filtered;

@@ -1,13 +1,17 @@
 using System;
+using System.Buffers;
 using System.Collections.Generic;
 using System.Numerics;
+using CreatureGen.Concurrency;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Appearance.Textures;
 
 /// <summary>The three pictures of an atlas while they are painted: square, three bytes per texel, rows from the top.</summary>
-internal sealed class AtlasPictures
+/// <remarks>What is only needed while they are painted is borrowed from the pool and given back when they are disposed of: megabytes made anew for each atlas bring a full collection with them. The pictures stay.</remarks>
+internal sealed class AtlasPictures : IDisposable
 {
+    private readonly int texels;
     private readonly bool[] painted;
     private readonly float[] heights;
 
@@ -15,11 +19,13 @@ internal sealed class AtlasPictures
     public AtlasPictures(int size)
     {
         Size = size;
-        painted = new bool[size * size];
-        heights = new float[size * size];
-        BaseColour = new byte[3 * size * size];
-        Normal = new byte[3 * size * size];
-        Roughness = new byte[3 * size * size];
+        texels = size * size;
+        painted = ArrayPool<bool>.Shared.Rent(texels);
+        Array.Clear(painted, 0, texels);
+        heights = ArrayPool<float>.Shared.Rent(texels);
+        BaseColour = new byte[3 * texels];
+        Normal = new byte[3 * texels];
+        Roughness = new byte[3 * texels];
         BaseColour.AsSpan().Fill(128);
         Fill(Roughness, 255, 191, 0);
         Fill(Normal, 128, 128, 255);
@@ -79,7 +85,7 @@ internal sealed class AtlasPictures
         for (int row = rows.Top * Size; row < rows.End * Size; row += Size)
         {
             bool upper = row > 0;
-            bool lower = row < painted.Length - Size;
+            bool lower = row < texels - Size;
             for (int at = row; at < row + Size; at++)
             {
                 if (!painted[at])
@@ -96,10 +102,10 @@ internal sealed class AtlasPictures
     }
 
     /// <summary>Gives unpainted texels the mean of their painted neighbours, some texels far, so that filtering at the edge of a chart finds no other colour.</summary>
-    public void Bleed(int texels)
+    public void Bleed(int far)
     {
         var border = new List<int>();
-        for (int texel = 0; texel < painted.Length; texel++)
+        for (int texel = 0; texel < texels; texel++)
         {
             if (!painted[texel] && HasPaintedNeighbour(texel))
             {
@@ -108,9 +114,10 @@ internal sealed class AtlasPictures
         }
 
         // A texel beside two painted ones is found twice, but listed once.
-        var listed = new bool[painted.Length];
+        bool[] listed = ArrayPool<bool>.Shared.Rent(texels);
+        Array.Clear(listed, 0, texels);
         var next = new List<int>();
-        for (int round = 0; round < texels; round++)
+        for (int round = 0; round < far; round++)
         {
             foreach (int texel in border)
             {
@@ -130,13 +137,18 @@ internal sealed class AtlasPictures
 
             (border, next) = (next, border);
         }
+
+        ArrayPool<bool>.Shared.Return(listed);
     }
 
     /// <summary>Colours what is still unpainted like what is around it.</summary>
-    public void FillGround()
+    public void FillGround() => IndependentParts.Run(2, picture => GapFilling.Fill(picture == 0 ? BaseColour : Roughness, painted, Size));
+
+    /// <summary>Gives borrowed memory back; nothing may be painted any more.</summary>
+    public void Dispose()
     {
-        GapFilling.Fill(BaseColour, painted, Size);
-        GapFilling.Fill(Roughness, painted, Size);
+        ArrayPool<bool>.Shared.Return(painted);
+        ArrayPool<float>.Shared.Return(heights);
     }
 
     private static void Fill(Span<byte> picture, byte red, byte green, byte blue)
@@ -175,7 +187,7 @@ internal sealed class AtlasPictures
             found[count++] = texel - Size;
         }
 
-        if (texel < painted.Length - Size)
+        if (texel < texels - Size)
         {
             found[count++] = texel + Size;
         }

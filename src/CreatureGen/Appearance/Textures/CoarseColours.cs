@@ -1,9 +1,11 @@
+using System;
+using System.Buffers;
 using System.Numerics;
 
 namespace CreatureGen.Appearance.Textures;
 
 /// <summary>The coat alone at half the size of an atlas. Its finest edges are several texels of a large atlas wide, which takes its colours from between these.</summary>
-internal sealed class CoarseColours
+internal sealed class CoarseColours : IDisposable
 {
     /// <summary>Shares of the nearest texel, of the two beside it and of the one across, for a place a quarter of a texel off on both axes.</summary>
     private const float Nearest = 9f / 16f, Beside = 3f / 16f, Across = 1f / 16f;
@@ -20,8 +22,12 @@ internal sealed class CoarseColours
     public CoarseColours(int atlasSize)
     {
         size = atlasSize / 2;
-        texels = new Vector4[size * size];
+        texels = ArrayPool<Vector4>.Shared.Rent(size * size);
+        Array.Clear(texels, 0, size * size);
     }
+
+    /// <inheritdoc/>
+    public void Dispose() => ArrayPool<Vector4>.Shared.Return(texels);
 
     /// <summary>Texels along a side: half as many as the atlas has.</summary>
     public int Size => size;

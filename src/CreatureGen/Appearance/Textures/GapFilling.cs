@@ -1,4 +1,5 @@
 using System;
+using System.Buffers;
 using System.Collections.Generic;
 
 namespace CreatureGen.Appearance.Textures;
@@ -24,12 +25,15 @@ internal static class GapFilling
             pyramid.Push(pyramid.Peek().Halve());
         }
 
-        Level coarse = pyramid.Pop();
-        while (pyramid.Count > 0 && coarse.IsPainted(0))
+        bool any = pyramid.Peek().IsPainted(0);
+        for (Level coarse = pyramid.Pop(); pyramid.Count > 0; coarse = pyramid.Pop())
         {
-            Level finer = pyramid.Pop();
-            finer.FillFrom(coarse);
-            coarse = finer;
+            if (any)
+            {
+                pyramid.Peek().FillFrom(coarse);
+            }
+
+            coarse.GiveBack();
         }
     }
 
@@ -52,10 +56,14 @@ internal static class GapFilling
         public Level Halve()
         {
             int size = Size / 2;
-            var half = new Level(size, new byte[Channels * size * size], new bool[size * size]);
-            for (int texel = 0; texel < half.painted.Length; texel++)
+            var half = new Level(size, ArrayPool<byte>.Shared.Rent(Channels * size * size), ArrayPool<bool>.Shared.Rent(size * size));
+            Array.Clear(half.painted, 0, size * size);
+            for (int texel = 0, first = 0; texel < size * size; first += Size)
             {
-                half.Average(texel, this, (2 * Size * (texel / size)) + (2 * (texel % size)));
+                for (int end = texel + size; texel < end; texel++, first += 2)
+                {
+                    half.Average(texel, this, first);
+                }
             }
 
             return half;
@@ -63,14 +71,26 @@ internal static class GapFilling
 
         public void FillFrom(Level half)
         {
-            for (int texel = 0; texel < texels.Length / Channels; texel++)
+            for (int y = 0, texel = 0; y < Size; y++)
             {
-                if (!painted[texel])
+                for (int x = 0; x < Size; x++, texel++)
                 {
-                    int over = (texel / Size / 2 * half.Size) + (texel % Size / 2);
-                    half.texels.AsSpan(Channels * over, Channels).CopyTo(texels.AsSpan(Channels * texel));
+                    if (!painted[texel])
+                    {
+                        int over = Channels * ((y / 2 * half.Size) + (x / 2));
+                        texels[Channels * texel] = half.texels[over];
+                        texels[(Channels * texel) + 1] = half.texels[over + 1];
+                        texels[(Channels * texel) + 2] = half.texels[over + 2];
+                    }
                 }
             }
+        }
+
+        /// <summary>Gives the memory of a halved picture back.</summary>
+        public void GiveBack()
+        {
+            ArrayPool<byte>.Shared.Return(texels);
+            ArrayPool<bool>.Shared.Return(painted);
         }
 
         private void Average(int texel, Level finer, int first)
