@@ -29,6 +29,8 @@ internal sealed class PlanChoice
     /// <summary>The weight of each species, by kind: asked for with every draw, and the same each time.</summary>
     private readonly double[]?[] speciesWeights;
 
+    private readonly double[] weightOfKind = new double[kindWeights.Length];
+
     private PlanChoice(CreatureOptions options, double[]?[] speciesWeights)
     {
         this.options = options;
@@ -45,7 +47,8 @@ internal sealed class PlanChoice
         double total = 0;
         for (int kind = 0; kind < kindWeights.Length; kind++)
         {
-            total += WeightOf((LocomotionKind)kind);
+            weightOfKind[kind] = WeightOf((LocomotionKind)kind);
+            total += weightOfKind[kind];
         }
 
         if (!(total > 0))
@@ -92,7 +95,7 @@ internal sealed class PlanChoice
         double[] weights = new double[kindWeights.Length];
         for (int kind = 0; kind < weights.Length; kind++)
         {
-            weights[kind] = WeightOf((LocomotionKind)kind) > 0 ? kindWeights[kind] * Asked((LocomotionKind)kind) : 0;
+            weights[kind] = weightOfKind[kind] > 0 ? kindWeights[kind] * Asked((LocomotionKind)kind) : 0;
         }
 
         return (LocomotionKind)random.Weighted(weights);

@@ -17,25 +17,14 @@ internal sealed class SocketGrid
     {
         taken = (bool[])other.taken.Clone();
         Refusals = other.Refusals;
+        TakenCells = other.TakenCells;
     }
 
     /// <summary>How many reservations were refused.</summary>
     public int Refusals { get; private set; }
 
     /// <summary>How many cells are taken, on both sides.</summary>
-    public int TakenCells
-    {
-        get
-        {
-            int count = 0;
-            foreach (bool cell in taken)
-            {
-                count += cell ? 1 : 0;
-            }
-
-            return count;
-        }
-    }
+    public int TakenCells { get; private set; }
 
     /// <summary>Another grid with the same cells taken.</summary>
     public SocketGrid Copy() => new(this);
@@ -92,12 +81,18 @@ internal sealed class SocketGrid
             for (int j = 0; j < socket.Columns; j++)
             {
                 int column = (socket.Segment + j) % BodyGrid.Segments;
-                taken[(i * BodyGrid.Segments) + column] = true;
-                taken[(i * BodyGrid.Segments) + BodyGrid.MirrorCell(column)] = true;
+                Take((i * BodyGrid.Segments) + column);
+                Take((i * BodyGrid.Segments) + BodyGrid.MirrorCell(column));
             }
         }
 
         return true;
+    }
+
+    private void Take(int cell)
+    {
+        TakenCells += taken[cell] ? 0 : 1;
+        taken[cell] = true;
     }
 
     private static bool IsOwnMirror(SocketBlueprint socket) =>
