@@ -13,8 +13,7 @@ internal static class BoxCode
     private const int Bits = 20;
     private const int Stride = Bits + 1;
     private const ulong Ones = 1UL | (1UL << Stride) | (1UL << (2 * Stride));
-    /// <summary>The guard bits of all coordinates.</summary>
-    internal const ulong Guards = (1UL << Bits) | (1UL << (Bits + Stride)) | (1UL << (Bits + (2 * Stride)));
+    private const ulong Guards = (1UL << Bits) | (1UL << (Bits + Stride)) | (1UL << (Bits + (2 * Stride)));
 
     /// <summary>A corner from coordinates of 0..<see cref="MaxCoordinate"/>.</summary>
     public static ulong Pack(int x, int y, int z) => (uint)x | ((ulong)(uint)y << Stride) | ((ulong)(uint)z << (2 * Stride));

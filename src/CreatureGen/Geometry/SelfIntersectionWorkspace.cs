@@ -112,15 +112,9 @@ internal sealed class SelfIntersectionWorkspace
     /// <summary>Adds those of sixteen pairs of boxes that meet: writes every pair, and steps on when it is to stay.</summary>
     private static int AddMeeting(ReadOnlySpan<ulong> lowA, ReadOnlySpan<ulong> highA, ReadOnlySpan<ulong> lowB, ReadOnlySpan<ulong> highB, ulong pair, ulong[] output, int count)
     {
-        ulong step = Pair(1, 0);
-#if NET
-        if (FourBoxes.Pay)
-        {
-            return FourBoxes.AddMeeting(lowA, highA, lowB, highB, pair, step, output, count);
-        }
-#endif
         ulong low0 = lowA[0], low1 = lowA[1], low2 = lowA[2], low3 = lowA[3];
         ulong high0 = highA[0], high1 = highA[1], high2 = highA[2], high3 = highA[3];
+        ulong step = Pair(1, 0);
         for (int j = 0; j < Children; j++)
         {
             ulong low = lowB[j];

@@ -1,10 +1,6 @@
 using System;
 using System.Globalization;
 using CreatureGen.Maths;
-#if NET
-using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
-#endif
 
 namespace CreatureGen.Lattices;
 
@@ -50,26 +46,16 @@ internal static class RingLattice
                 nameof(t));
         }
 
+        Span<double> positions = stackalloc double[slices];
+        Span<double> weights = stackalloc double[slices];
+        SliceScaling.Positions(sliceLengths, positions);
         for (int ring = 0; ring < t.Length; ring++)
         {
             if (!(t[ring] >= 0 && t[ring] <= 1))
             {
                 throw new ArgumentException(string.Format(CultureInfo.InvariantCulture, "t[{0}] = {1:R}; expected 0..1", ring, t[ring]), nameof(t));
             }
-        }
 
-        Span<double> positions = stackalloc double[slices];
-        Span<double> weights = stackalloc double[slices];
-        SliceScaling.Positions(sliceLengths, positions);
-        int first = 0;
-#if NET
-        if (Vector256.IsHardwareAccelerated)
-        {
-            first = EvaluateFours(sliceWidths, sliceHeights, positions, t, widthFactor, heightFactor, position);
-        }
-#endif
-        for (int ring = first; ring < t.Length; ring++)
-        {
             Bernstein.Evaluate(t[ring], weights);
             double width = 0;
             double height = 0;
@@ -86,51 +72,4 @@ internal static class RingLattice
             position[ring] = place;
         }
     }
-
-#if NET
-    /// <summary>Evaluates as many rings as there are in fours, and says how many: four side by side, each by the same operations in the same order as alone, in a third of the time.</summary>
-    private static int EvaluateFours(ReadOnlySpan<double> sliceWidths, ReadOnlySpan<double> sliceHeights, ReadOnlySpan<double> positions, ReadOnlySpan<double> t, Span<double> widthFactor, Span<double> heightFactor, Span<double> position)
-    {
-        Span<Vector256<double>> weights = stackalloc Vector256<double>[sliceWidths.Length];
-        int ring = 0;
-        for (; ring + 4 <= t.Length; ring += 4)
-        {
-            FindWeights(Vector256.Create(t.Slice(ring, 4)), weights);
-            Vector256<double> width = Vector256<double>.Zero, height = width, place = width;
-            for (int k = 0; k < weights.Length; k++)
-            {
-                width += weights[k] * sliceWidths[k];
-                height += weights[k] * sliceHeights[k];
-                place += weights[k] * positions[k];
-            }
-
-            width.CopyTo(widthFactor.Slice(ring));
-            height.CopyTo(heightFactor.Slice(ring));
-            place.CopyTo(position.Slice(ring));
-        }
-
-        return ring;
-    }
-
-    /// <summary>What <see cref="Bernstein.Evaluate"/> says, for four places.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void FindWeights(Vector256<double> t, Span<Vector256<double>> weights)
-    {
-        Vector256<double> u = Vector256<double>.One - t;
-        weights[0] = Vector256<double>.One;
-        for (int degree = 1; degree < weights.Length; degree++)
-        {
-            Vector256<double> before = weights[0];
-            weights[0] = u * before;
-            for (int k = 1; k < degree; k++)
-            {
-                Vector256<double> here = weights[k];
-                weights[k] = (u * here) + (t * before);
-                before = here;
-            }
-
-            weights[degree] = t * before;
-        }
-    }
-#endif
 }

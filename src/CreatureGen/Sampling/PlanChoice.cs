@@ -29,8 +29,6 @@ internal sealed class PlanChoice
     /// <summary>The weight of each species, by kind: asked for with every draw, and the same each time.</summary>
     private readonly double[]?[] speciesWeights;
 
-    private readonly double[] weightOfKind = new double[kindWeights.Length];
-
     private PlanChoice(CreatureOptions options, double[]?[] speciesWeights)
     {
         this.options = options;
@@ -47,8 +45,7 @@ internal sealed class PlanChoice
         double total = 0;
         for (int kind = 0; kind < kindWeights.Length; kind++)
         {
-            weightOfKind[kind] = WeightOf((LocomotionKind)kind);
-            total += weightOfKind[kind];
+            total += WeightOf((LocomotionKind)kind);
         }
 
         if (!(total > 0))
@@ -95,7 +92,7 @@ internal sealed class PlanChoice
         double[] weights = new double[kindWeights.Length];
         for (int kind = 0; kind < weights.Length; kind++)
         {
-            weights[kind] = weightOfKind[kind] > 0 ? kindWeights[kind] * Asked((LocomotionKind)kind) : 0;
+            weights[kind] = WeightOf((LocomotionKind)kind) > 0 ? kindWeights[kind] * Asked((LocomotionKind)kind) : 0;
         }
 
         return (LocomotionKind)random.Weighted(weights);

@@ -17,14 +17,25 @@ internal sealed class SocketGrid
     {
         taken = (bool[])other.taken.Clone();
         Refusals = other.Refusals;
-        TakenCells = other.TakenCells;
     }
 
     /// <summary>How many reservations were refused.</summary>
     public int Refusals { get; private set; }
 
     /// <summary>How many cells are taken, on both sides.</summary>
-    public int TakenCells { get; private set; }
+    public int TakenCells
+    {
+        get
+        {
+            int count = 0;
+            foreach (bool cell in taken)
+            {
+                count += cell ? 1 : 0;
+            }
+
+            return count;
+        }
+    }
 
     /// <summary>Another grid with the same cells taken.</summary>
     public SocketGrid Copy() => new(this);
@@ -81,18 +92,12 @@ internal sealed class SocketGrid
             for (int j = 0; j < socket.Columns; j++)
             {
                 int column = (socket.Segment + j) % BodyGrid.Segments;
-                Take((i * BodyGrid.Segments) + column);
-                Take((i * BodyGrid.Segments) + BodyGrid.MirrorCell(column));
+                taken[(i * BodyGrid.Segments) + column] = true;
+                taken[(i * BodyGrid.Segments) + BodyGrid.MirrorCell(column)] = true;
             }
         }
 
         return true;
-    }
-
-    private void Take(int cell)
-    {
-        TakenCells += taken[cell] ? 0 : 1;
-        taken[cell] = true;
     }
 
     private static bool IsOwnMirror(SocketBlueprint socket) =>
