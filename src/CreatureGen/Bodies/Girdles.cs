@@ -73,6 +73,17 @@ internal static class Girdles
         new(Ring: -3.6, Segment: Belly, RingSpread: 2.8, SegmentSpread: Broad, Amount: -0.2),  // groin
     };
 
+    /// <summary>What a trunk that stands upright is given, in rings from the middle of its hips: it is seen from before and behind, where it would be a pipe.</summary>
+    private static readonly HeadBump[] upright =
+    {
+        new(Ring: -7, Segment: Back, RingSpread: 6, SegmentSpread: 1.1, Amount: -0.09),  // furrow of the spine
+        new(Ring: -13.5, Segment: 3.4, RingSpread: 2.4, SegmentSpread: 1.7, Amount: 0.11),  // shoulder blade
+        new(Ring: -11.5, Segment: 6.6, RingSpread: 2.6, SegmentSpread: 1.8, Amount: 0.07),  // side of the chest
+        new(Ring: -5, Segment: 7.6, RingSpread: 2.6, SegmentSpread: 3, Amount: -0.09),  // waist
+        new(Ring: 0, Segment: 3.6, RingSpread: 2.2, SegmentSpread: 2.2, Amount: 0.14),  // buttock
+        new(Ring: -13, Segment: 12.6, RingSpread: 2.2, SegmentSpread: 2, Amount: 0.08),  // breast
+    };
+
     /// <summary>The relief of a creature's torso.</summary>
     /// <param name="creature">The creature.</param>
     /// <param name="shape">Its sections.</param>
@@ -96,6 +107,11 @@ internal static class Girdles
             {
                 Add(bumps, shoulders, Middle(legs[0]), bare * Strength(legs[0]));
             }
+        }
+
+        if (creature.Plan == BodyPlan.Upright && legs.Count == 1 && creature.Body.Shell.Style == ShellStyle.None)
+        {
+            Add(bumps, upright, Middle(legs[0]), 1);
         }
 
         double plank = (1 - bare) * Scalar.Smooth((Pure - fractions[0]) / (Pure - Mixed));

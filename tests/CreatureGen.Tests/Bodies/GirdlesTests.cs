@@ -62,6 +62,32 @@ public sealed class GirdlesTests
         }
     }
 
+    [Fact]
+    public void Trunks_that_stand_upright_have_a_furrow_between_shoulder_blades_and_a_waist_above_buttocks()
+    {
+        int upright = 0;
+        for (ulong seed = 18000057; upright < 8; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, LocomotionKind.Walking);
+            if (creature.Plan == BodyPlan.Upright && creature.Body.Shell.Style == ShellStyle.None)
+            {
+                BodySkin skin = BodySkin.Span(BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail), creature);
+                Assert.True(Relief(skin, 27, 3) - Relief(skin, 30, 0) > 0.08, FormattableString.Invariant($"{seed}: a flat back"));
+                Assert.True(Relief(skin, 40, 4) - Relief(skin, 35, 7) > 0.12, FormattableString.Invariant($"{seed}: a pipe"));
+                upright++;
+            }
+        }
+    }
+
+    /// <summary>What swells of the skin of a ring and a segment, in its section: squared distances from the spine in half axes would be 1 without.</summary>
+    private static double Relief(BodySkin skin, int ring, int segment)
+    {
+        double angle = Math.Tau * segment / BodyGrid.Segments;
+        Assert.Equal(2, skin.Shape.TopExponent[ring], 0.9);
+        double section = new System.Numerics.Vector2((float)(Math.Sin(angle) * skin.Shape.Width[ring]), (float)(Math.Cos(angle) * skin.Shape.Top[ring])).Length();
+        return (skin[ring, segment] - skin.Shape.Centre(ring)).Length() / section;
+    }
+
     /// <summary>Height of the skin in the middle plane, in that of the section that it is spanned over.</summary>
     private static double Factor(BodySkin skin, int ring, int segment) =>
         (skin[ring, segment] - skin.Shape.Centre(ring)).Length() / (segment == 0 ? skin.Shape.Top[ring] : skin.Shape.Bottom[ring]);
