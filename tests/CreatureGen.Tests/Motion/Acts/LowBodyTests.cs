@@ -5,6 +5,7 @@ using CreatureGen.Anatomy;
 using CreatureGen.Maths;
 using CreatureGen.Motion;
 using CreatureGen.Motion.Acts.Bodies;
+using CreatureGen.Motion.Metrics;
 using CreatureGen.Rigging;
 using CreatureGen.Sampling;
 using CreatureGen.Tests.Motion.Falling;
@@ -94,6 +95,22 @@ public class LowBodyTests
         }
 
         Assert.InRange(GettingUpTests.Lowest(animator), -0.015f * GettingUpTests.Extent(animator.Profile.Subject.Creature!), 1f);
+    }
+
+    /// <summary>What of the skin of its neck touches the ground changes from one moment to the next: a joint that came out of it at once turned at 80 rad/s.</summary>
+    [Fact]
+    public void No_joint_of_a_crawler_that_dies_flips_over()
+    {
+        const float Fine = 240f;
+        CreatureAnimator animator = Performing(Strange(15040048), "Die", out ActAbility die);
+        var watch = new JointWatch(animator.Profile);
+        for (int i = 0; i < die.SecondsToLast * Fine; i++)
+        {
+            animator.Update(1f / Fine, default, FlatGround.Level);
+            watch.Record(animator.LocalPose.Rotations, 1f / Fine);
+        }
+
+        Assert.InRange(watch.Speed, 0f, 60f);
     }
 
     /// <summary>Its tall legs stand close together: a chest that came down before the hips tipped it over onto its head, so that it did half of it.</summary>

@@ -33,6 +33,9 @@ internal sealed class GroundedEnds
     /// <summary>How far the first neck and its head were raised last, and those beside it, radians; NaN where nothing was before.</summary>
     private readonly float[] raised;
 
+    /// <summary>How far each joint that a crawler lays down was raised out of the ground last, radians; NaN where none was laid down before.</summary>
+    private readonly float[] laid;
+
     /// <summary>How far these may go on from there, radians: as far as there is need until time goes on.</summary>
     private float step = float.PositiveInfinity;
 
@@ -41,6 +44,7 @@ internal sealed class GroundedEnds
         this.body = body;
         armWays = new float[body.Arms.Length];
         raised = new float[2 + (2 * body.FurtherHeads.Length)];
+        laid = new float[body.Bearers.Length];
         Forget();
     }
 
@@ -49,6 +53,7 @@ internal sealed class GroundedEnds
     {
         other.armWays.CopyTo(armWays, 0);
         other.raised.CopyTo(raised, 0);
+        other.laid.CopyTo(laid, 0);
         step = other.step;
     }
 
@@ -60,6 +65,7 @@ internal sealed class GroundedEnds
     {
         Array.Clear(armWays, 0, armWays.Length);
         Array.Fill(raised, float.NaN);
+        Array.Fill(laid, float.NaN);
     }
 
     /// <summary>Lays along the ground what a crawler carries raised, joint after joint from the trunk, each down onto its own skin; the head as level as it is at rest.</summary>
@@ -69,16 +75,30 @@ internal sealed class GroundedEnds
     /// <param name="model">The same in model space.</param>
     public void LayDown(in ActGround ground, float fraction, in Pose local, in Pose model)
     {
-        for (int i = 0; i < body.Bearers.Length && fraction > 0f; i++)
+        if (fraction <= 0f)
+        {
+            Array.Fill(laid, float.NaN);
+            return;
+        }
+
+        for (int i = 0; i < body.Bearers.Length; i++)
         {
             int joint = body.Bearers[i];
             Vector3 along = body.Skeleton.Joints[joint].Along;
             float goal = joint == body.Head ? Elevation(Rotation.Rotate(body.Skeleton.ModelRotations[joint], along)) : -Sinking;
             TurnUp(joint, fraction * (goal - Elevation(Rotation.Rotate(model.Rotations[joint], along))), local, model);
+            float total = 0f;
             for (int round = 0; round < ClearingRounds; round++)
             {
-                TurnUp(joint, Math.Min(body.BearerSkins[i].Raise(ground, model.Positions[joint], model), MaxCleared), local, model);
+                float raise = Math.Min(body.BearerSkins[i].Raise(ground, model.Positions[joint], model), MaxCleared);
+                total += raise;
+                TurnUp(joint, raise, local, model);
             }
+
+            // What of its skin touches the ground changes from one moment to the next.
+            float gentle = float.IsNaN(laid[i]) ? total : Math.Min(Math.Max(total, laid[i] - step), laid[i] + step);
+            TurnUp(joint, gentle - total, local, model);
+            laid[i] = gentle;
         }
     }
 
