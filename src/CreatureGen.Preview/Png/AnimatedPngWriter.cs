@@ -1,6 +1,5 @@
 using System;
 using System.IO;
-using CreatureGen.Geometry;
 using CreatureGen.Png;
 using CreatureGen.Preview.Pictures;
 
@@ -78,8 +77,7 @@ public sealed class AnimatedPngWriter
 
         WriteFrameControl(left, top, width, height);
         ReadOnlySpan<byte> bytes = frame.Bytes[((top * frame.Stride) + (left * frame.BytesPerPixel))..];
-        using PooledList<byte> filtered = PngFilter.Apply(bytes, frame.Stride, width * frame.BytesPerPixel, height, frame.BytesPerPixel);
-        using BitSink packed = Deflater.Compress(filtered.Items);
+        using BitSink packed = PngFilter.Compress(bytes, frame.Stride, width * frame.BytesPerPixel, height, frame.BytesPerPixel);
         if (last is null)
         {
             PngChunks.Write(stream, "IDAT"u8, packed.Bytes, default);

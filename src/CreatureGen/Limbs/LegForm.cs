@@ -19,8 +19,6 @@ internal sealed class LegForm
     {
         this.outline = outline;
         Archetype = archetype;
-        MinThickness = (float)outline.MinThickness;
-        MaxThickness = (float)outline.MaxThickness;
         ToeLength = (float)outline.ToeLength;
         ToeSplay = (float)outline.ToeSplay;
         ToeRadius = (float)outline.ToeRadius;
@@ -44,12 +42,6 @@ internal sealed class LegForm
     public int AnkleRow => outline.AnkleRow;
 
     public int BallRow => outline.BallRow;
-
-    /// <summary>Least thickness relative to the length; 0 when there is no limit.</summary>
-    public float MinThickness { get; }
-
-    /// <summary>Most thickness relative to the length; 0 when there is no limit.</summary>
-    public float MaxThickness { get; }
 
     /// <summary>Whether it reaches out to the side and turns with its azimuth, instead of standing under the body.</summary>
     public bool Lateral => outline.Lateral;
@@ -110,6 +102,9 @@ internal sealed class LegForm
 
     /// <summary>The form of a leg that stands.</summary>
     public static LegForm Standing(LimbArchetype archetype) => all[(int)LegKinds.Of(archetype).Archetype];
+
+    /// <inheritdoc cref="LegOutline.Thickness"/>
+    public float Thickness(float wanted, float half, float height) => outline.Thickness(wanted, half, height);
 
     private float[] Column(Func<LegSection, int> number) => Array.ConvertAll(outline.Rows, row => number(row) / 1000f);
 }

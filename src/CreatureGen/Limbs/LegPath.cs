@@ -15,9 +15,6 @@ internal sealed class LegPath
     /// <summary>Metres. Least distance of a leg's inner side from the sagittal plane.</summary>
     private const float InnerGap = 0.012f;
 
-    /// <summary>Most of a leg's radius that is only to make it stout, relative to half of its socket's length.</summary>
-    private const float Balloon = 1.3f;
-
     /// <summary>Share of the bow of a long-toed leg, seen from the front, that is left between its thigh and its foot.</summary>
     private const float Bow = 0.25f;
 
@@ -78,7 +75,7 @@ internal sealed class LegPath
         bool standing = leg.Stance == LegStance.Standing;
         Vector3 root = socket.Centre;
         float height = standing ? root.Y : (float)leg.Length;
-        float thickness = ThicknessOf(form, (float)leg.Thickness, socket.HalfLength, height);
+        float thickness = form.Thickness((float)leg.Thickness, socket.HalfLength, height);
 
         Vector3[] joints = LayJoints(form, leg, root, height);
         Vector2[] radii = Radiate(form, leg, socket, thickness);
@@ -106,24 +103,6 @@ internal sealed class LegPath
         }
 
         return new LegPath(joints, centres, radii, thickness);
-    }
-
-    /// <summary>Radius of the thigh of a leg as it is grown, metres.</summary>
-    /// <param name="form">What it is built like.</param>
-    /// <param name="wanted">What it is to be.</param>
-    /// <param name="half">Half the length of its socket.</param>
-    /// <param name="height">Height of its root above the ground, or its length.</param>
-    public static float ThicknessOf(LegForm form, float wanted, float half, float height)
-    {
-        float thickness = Math.Min(wanted, half * 1.12f);
-        if (form.MinThickness > 0f)
-        {
-            // A tall leg of a slim body stays as slim as where it grows from, or it would hang there like a balloon.
-            float min = Math.Min(form.MinThickness * height, Math.Max(thickness, Balloon * half));
-            thickness = Scalar.Clamp(thickness, min, form.MaxThickness * height);
-        }
-
-        return thickness;
     }
 
     private static Vector3[] LayJoints(LegForm form, LegBlueprint leg, Vector3 root, float height)

@@ -1,7 +1,6 @@
 using System;
 using System.IO;
 using System.Text;
-using CreatureGen.Geometry;
 
 namespace CreatureGen.Png;
 
@@ -53,12 +52,8 @@ public static class PngEncoder
         return file;
     }
 
-    private static BitSink Pack(ReadOnlySpan<byte> pixels, int width, int height, int bytesPerPixel)
-    {
-        int stride = width * bytesPerPixel;
-        using PooledList<byte> filtered = PngFilter.Apply(pixels, stride, stride, height, bytesPerPixel);
-        return Deflater.Compress(filtered.Items);
-    }
+    private static BitSink Pack(ReadOnlySpan<byte> pixels, int width, int height, int bytesPerPixel) =>
+        PngFilter.Compress(pixels, width * bytesPerPixel, width * bytesPerPixel, height, bytesPerPixel);
 
     private static void WriteFile(ReadOnlySpan<byte> packed, int width, int height, PngPixels layout, Stream stream)
     {

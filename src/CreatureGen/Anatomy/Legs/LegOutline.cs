@@ -1,4 +1,5 @@
 using System;
+using CreatureGen.Maths;
 
 namespace CreatureGen.Anatomy.Legs;
 
@@ -6,6 +7,12 @@ namespace CreatureGen.Anatomy.Legs;
 /// <param name="End">How it ends.</param>
 internal sealed record LegOutline(FootEnd End)
 {
+    /// <summary>Most of a leg's radius that is only to make it stout, relative to half of its socket's length.</summary>
+    private const float Balloon = 1.3f;
+
+    /// <summary>Most of it relative to that length otherwise.</summary>
+    private const float Widest = 1.12f;
+
     /// <summary>From the socket on.</summary>
     public LegSection[] Rows { get; init; } = Array.Empty<LegSection>();
 
@@ -70,5 +77,22 @@ internal sealed record LegOutline(FootEnd End)
         }
 
         return sum / (AnkleRow - KneeRow + 1);
+    }
+
+    /// <summary>Radius of its thigh as it is grown, metres.</summary>
+    /// <param name="wanted">What it is to be.</param>
+    /// <param name="half">Half the length of its socket.</param>
+    /// <param name="height">Height of its root above the ground, or its length.</param>
+    public float Thickness(float wanted, float half, float height)
+    {
+        float thickness = Math.Min(wanted, half * Widest);
+        if (MinThickness > 0)
+        {
+            // A tall leg of a slim body stays as slim as where it grows from, or it would hang there like a balloon.
+            float min = Math.Min((float)MinThickness * height, Math.Max(thickness, Balloon * half));
+            thickness = Scalar.Clamp(thickness, min, (float)MaxThickness * height);
+        }
+
+        return thickness;
     }
 }

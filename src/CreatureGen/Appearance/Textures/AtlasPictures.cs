@@ -2,7 +2,6 @@ using System;
 using System.Buffers;
 using System.Collections.Generic;
 using System.Numerics;
-using CreatureGen.Concurrency;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Appearance.Textures;
@@ -142,7 +141,11 @@ internal sealed class AtlasPictures : IDisposable
     }
 
     /// <summary>Colours what is still unpainted like what is around it.</summary>
-    public void FillGround() => IndependentParts.Run(2, picture => GapFilling.Fill(picture == 0 ? BaseColour : Roughness, painted, Size));
+    public void FillGround()
+    {
+        GapFilling.Fill(BaseColour, painted, Size);
+        GapFilling.Fill(Roughness, painted, Size);
+    }
 
     /// <summary>Gives borrowed memory back; nothing may be painted any more.</summary>
     public void Dispose()

@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using CreatureGen.Anatomy.Legs;
 using CreatureGen.Bodies;
-using CreatureGen.Limbs;
 using CreatureGen.Maths;
 using CreatureGen.Sampling.Placement;
 
@@ -53,6 +52,6 @@ internal static class LegMates
         int last = first + leg.Socket.Rows;
         double dy = shape.Y[last] - shape.Y[first];
         double dz = shape.Z[last] - shape.Z[first];
-        return LegPath.ThicknessOf(LegForm.Standing(leg.Site.Archetype), (float)leg.RootRadius, (float)(Math.Sqrt((dy * dy) + (dz * dz)) / 2), (float)leg.RootHeight);
+        return LegKinds.Of(leg.Site.Archetype).Outline.Thickness((float)leg.RootRadius, (float)(Math.Sqrt((dy * dy) + (dz * dz)) / 2), (float)leg.RootHeight);
     }
 }
