@@ -7,8 +7,8 @@ namespace CreatureGen.Anatomy.Wings;
 /// <remarks>Drawn by eye to the shapes that the works named at each family describe, and checked by their aspect ratios.</remarks>
 internal sealed record WingForm
 {
-    /// <summary>By how much more the blade of a wing hangs at rest than in flight, radians: from the front, and beside the head from before and aside, it is seen as a wing and not as the line of its edge.</summary>
-    public const double RestIncidence = 0.65;
+    /// <summary>By how much more the blade of a wing hangs at rest than in flight, radians: from the front it is seen as a wing and not as the line of its edge.</summary>
+    public const double RestIncidence = 0.34;
 
     /// <summary>The same of what is beyond the elbow against what is before it, radians.</summary>
     public const double OuterIncidence = 0.21;
