@@ -34,16 +34,12 @@ internal sealed class FoldRoom
     /// <summary>How far wings may reach beyond where the tail begins, body lengths.</summary>
     private const double Overhang = 0.08;
 
-    /// <summary>How far wings may stand out to the side, body lengths from the midline.</summary>
-    private const double Breadth = 0.2;
-
     /// <summary>How high wings are to be above the ground, heights of the pelvis.</summary>
     private const double Clearance = 0.45;
 
-    // What it costs to be in a leg, beyond the tail's root, out to the side, or low, in relation to being off the body.
+    // What it costs to be in a leg, beyond the tail's root, or low, in relation to being off the body.
     private const double LegCost = 1500;
-    private const double OverhangCost = 8;
-    private const double BreadthCost = 8;
+    private const double OverhangCost = 4;
     private const double LowCost = 10;
 
     /// <summary>By how much boxes about rods are wider than they have to be, body lengths: more than single precision loses.</summary>
@@ -123,10 +119,9 @@ internal sealed class FoldRoom
         double cost = (off < 0 ? range.SunkCost : range.Closeness) * off * off;
         double across = Math.Max(0, MiddleGap - (point.X / length));
         double beyond = Math.Max(0, ((Scalar.Lerp(tailBase, tailEnd, range.Trailing) - point.Z) / length) - Overhang);
-        double broad = Math.Max(0, (point.X / length) - Breadth);
         double low = Math.Max(0, ((Clearance * Height) - (Vec.Dot(up, point) - floor)) / length);
         double proud = range.ProudCost > 0 ? Math.Max(0, (point.Y - flank.Back(point.Z)) / length) : 0;
-        return cost + (range.ProudCost * proud * proud) + (range.MiddleCost * across * across) + (OverhangCost * beyond * beyond) + (BreadthCost * broad * broad) + (LowCost * low * low);
+        return cost + (range.ProudCost * proud * proud) + (range.MiddleCost * across * across) + (OverhangCost * beyond * beyond) + (LowCost * low * low);
     }
 
     /// <summary>Lays a triangle of a left wing onto the flank: what is folded later lies outside of it.</summary>
