@@ -41,7 +41,7 @@ internal sealed class GettingUp
 
     /// <summary>How far below where it stands its trunk is, and how far from their places its feet are, where it counts as standing; leg lengths.</summary>
     private const float HardlyLow = 0.06f;
-    private const float HardlyAstray = 0.03f;
+    private const float HardlyAstray = 0.028f;
 
     /// <summary>What is left of the rise dies away on the walk in this time, τ.</summary>
     private const float FadeTime = 1.2f;

@@ -10,7 +10,7 @@ internal struct RootHeight
 {
     /// <summary>How quickly the root follows the ground under the body, per second, and besides for each leg length that it goes.</summary>
     private const float Rate = 6f;
-    private const float RateOfWay = 1f;
+    private const float RateOfWay = 1.3f;
 
     /// <summary>How far the root is behind that ground at most, leg lengths.</summary>
     private const float MaxLag = 0.25f;

@@ -18,7 +18,7 @@ internal sealed class BodyPlacer
 {
     /// <summary>How quickly the trunk follows the ground, per second, and besides for each leg length that it goes.</summary>
     private const float GroundRate = 9f;
-    private const float GroundRateOfWay = 1f;
+    private const float GroundRateOfWay = 1.4f;
 
     private const float SlopeRate = 6f;
     private const float SlopeFraction = 0.8f;
