@@ -40,8 +40,8 @@ internal sealed class GettingUp
     private const float FastestLimb = 4f;
 
     /// <summary>How far below where it stands its trunk is, and how far from their places its feet are, where it counts as standing; leg lengths.</summary>
-    private const float HardlyLow = 0.06f;
-    private const float HardlyAstray = 0.028f;
+    private const float HardlyLow = 0.05f;
+    private const float HardlyAstray = 0.03f;
 
     /// <summary>What is left of the rise dies away on the walk in this time, τ.</summary>
     private const float FadeTime = 1.2f;
