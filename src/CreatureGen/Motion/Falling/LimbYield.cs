@@ -11,7 +11,7 @@ internal readonly record struct LimbYield(int Rounds, float Part, float Knee, fl
     public static LimbYield Free { get; } = new(12, 1f, 1f, 1f);
 
     /// <summary>Of a leg under the body: a knee that stretches for it as readily would not fold, and one that is pressed between body and ground would go to and fro: it is the body that heaves itself up then.</summary>
-    public static LimbYield Under { get; } = new(12, 0.5f, 0.3f, 1f);
+    public static LimbYield Under { get; } = new(12, 0.5f, 0.35f, 1f);
 
     /// <summary>How readily a joint does, 0..1.</summary>
     /// <param name="joint">0 the hip, 1 the knee, 2 the ankle; on an arm or a wing what is as far out.</param>
