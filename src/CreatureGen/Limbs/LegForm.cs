@@ -100,9 +100,6 @@ internal sealed class LegForm
         return leg.Stance == LegStance.Hanging && trailing[kind] is { } form ? form : all[kind];
     }
 
-    /// <summary>The form of a leg that stands.</summary>
-    public static LegForm Standing(LimbArchetype archetype) => all[(int)LegKinds.Of(archetype).Archetype];
-
     /// <inheritdoc cref="LegOutline.Thickness"/>
     public float Thickness(float wanted, float half, float height) => outline.Thickness(wanted, half, height);
 
