@@ -22,8 +22,8 @@ internal sealed record FoldRange(WingFold Usual, WingFold Min, WingFold Max, dou
     /// over at the elbow. It is drawn together instead.</summary>
     public static FoldRange Stitched { get; } = new(
         new WingFold(Drop: 0.45, Spread: 0.35, Rise: 0.05, Converge: 0.05, Curl: 0.05, Lift: 0.05, Lean: 0.25 - WingForm.RestIncidence, Wrap: 0.10, Length: 0.65),
-        new WingFold(Drop: 0.00, Spread: -0.20, Rise: -0.30, Converge: -0.20, Curl: 0.00, Lift: 0.00, Lean: -WingForm.RestIncidence, Wrap: 0.00, Length: 0.48),
-        new WingFold(Drop: 0.62, Spread: 0.60, Rise: 0.15, Converge: 0.45, Curl: 0.26, Lift: 0.18, Lean: 1.00 - WingForm.RestIncidence, Wrap: 0.60, Length: 1.00),
+        new WingFold(Drop: 0.00, Spread: -0.20, Rise: -0.30, Converge: -0.20, Curl: 0.00, Lift: 0.00, Lean: -WingForm.RestIncidence, Wrap: 0.00, Length: 0.46),
+        new WingFold(Drop: 0.62, Spread: 0.65, Rise: 0.15, Converge: 0.45, Curl: 0.26, Lift: 0.18, Lean: 1.00 - WingForm.RestIncidence, Wrap: 0.60, Length: 1.00),
         1,
         0f,
         false,

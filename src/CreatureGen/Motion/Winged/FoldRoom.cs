@@ -39,7 +39,7 @@ internal sealed class FoldRoom
 
     // What it costs to be in a leg, beyond the tail's root, or low, in relation to being off the body.
     private const double LegCost = 1500;
-    private const double OverhangCost = 6;
+    private const double OverhangCost = 5;
     private const double LowCost = 10;
 
     /// <summary>By how much boxes about rods are wider than they have to be, body lengths: more than single precision loses.</summary>

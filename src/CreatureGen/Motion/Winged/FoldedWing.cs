@@ -14,7 +14,7 @@ internal sealed class FoldedWing
     private const double Shrink = 0.7;
 
     /// <summary>What corners of the leading edge and crowded skin cost, in relation to being off the body by a body length.</summary>
-    private const double CornerCost = 0.009;
+    private const double CornerCost = 0.005;
     private const double CrowdingCost = 0.08;
 
     /// <summary>By which part of what the others are shortened the upper arm is.</summary>
