@@ -3,7 +3,7 @@ using CreatureGen.Motion.Modes;
 
 namespace CreatureGen.Motion.Flying;
 
-/// <summary>Where a flier is in its motion. The default stands on the ground with folded wings; one for each creature on the scene, changed by <see cref="FlightMotion.Update"/> alone.</summary>
+/// <summary>Where a flier is in its motion. The default stands on the ground with folded wings; one for each creature on the scene, changed by <see cref="FlightMotion"/> alone.</summary>
 internal struct FlightState
 {
     /// <summary>Leg lengths above which height does not matter.</summary>

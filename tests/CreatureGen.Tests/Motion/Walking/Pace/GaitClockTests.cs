@@ -1,5 +1,6 @@
+using System.Collections.Generic;
+using System.Linq;
 using CreatureGen.Anatomy;
-using CreatureGen.Creatures;
 using CreatureGen.Motion;
 using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Motion.Walking.Pace;
@@ -18,9 +19,8 @@ public sealed class GaitClockTests
     [InlineData(BodyPlan.Sprawling)]
     public void A_cycle_on_the_spot_turns_the_body_by_no_more_than_26_degrees(BodyPlan plan)
     {
-        foreach (Creature creature in StrokeSubject.Of(plan))
+        foreach (LeggedBody body in Bodies(plan))
         {
-            LeggedBody body = LeggedBody.Of(new MotionSubject(creature))!;
             foreach (float turn in new[] { 0.1f, 0.4f, -0.9f })
             {
                 var clock = new GaitClock(body, GaitLibrary.Walk);
@@ -36,9 +36,8 @@ public sealed class GaitClockTests
     [InlineData(BodyPlan.Theropod)]
     public void Who_brakes_hard_into_another_gait_steps_on_as_its_speed_goes_through_nothing(BodyPlan plan)
     {
-        foreach (Creature creature in StrokeSubject.Of(plan))
+        foreach (LeggedBody body in Bodies(plan))
         {
-            LeggedBody body = LeggedBody.Of(new MotionSubject(creature))!;
             RootVelocity velocity = RootVelocity.At(0f, 0f, 0f);
             velocity.Ask(0f, 0f, 1f);
             var clock = new GaitClock(body, GaitLibrary.TransverseGallop);
@@ -53,9 +52,8 @@ public sealed class GaitClockTests
     [InlineData(BodyPlan.Plantigrade)]
     public void Steps_are_shorter_down_steep_slopes_than_on_level_ground(BodyPlan plan)
     {
-        foreach (Creature creature in StrokeSubject.Of(plan))
+        foreach (LeggedBody body in Bodies(plan))
         {
-            LeggedBody body = LeggedBody.Of(new MotionSubject(creature))!;
             float speed = 1.2f * (float)System.Math.Sqrt(Gravity * body.LegLength);
             Assert.InRange(Going(body, GaitLibrary.Trot, speed, 0f, 0f).Length, 0.99f, 1f);
             Assert.InRange(Going(body, GaitLibrary.Trot, speed, 0f, -0.4f).Length, 0.2f, 0.9f);
@@ -67,9 +65,8 @@ public sealed class GaitClockTests
     [InlineData(BodyPlan.Theropod)]
     public void Up_and_down_stairs_nobody_is_quicker_than_who_runs_up_them_with_all_his_might(BodyPlan plan)
     {
-        foreach (Creature creature in StrokeSubject.Of(plan))
+        foreach (LeggedBody body in Bodies(plan))
         {
-            LeggedBody body = LeggedBody.Of(new MotionSubject(creature))!;
             float unit = (float)System.Math.Sqrt(Gravity * body.LegLength);
             foreach (float slope in new[] { 0.36f, -0.36f })
             {
@@ -87,9 +84,8 @@ public sealed class GaitClockTests
     [InlineData(BodyPlan.Unguligrade)]
     public void Whoever_is_asked_to_hurry_down_stairs_goes_so_slowly_that_its_steps_are_no_quicker_than_its_mass_lets_them(BodyPlan plan)
     {
-        foreach (Creature creature in StrokeSubject.Of(plan))
+        foreach (LeggedBody body in Bodies(plan))
         {
-            LeggedBody body = LeggedBody.Of(new MotionSubject(creature))!;
             float unit = Gravity * body.LegLength;
             GaitClock clock = Going(body, GaitLibrary.Trot, 0.5f * (float)System.Math.Sqrt(unit), 0f, -0.36f);
             float speed = clock.OnSlope(2f * (float)System.Math.Sqrt(unit), Gravity);
@@ -105,9 +101,8 @@ public sealed class GaitClockTests
     public void Where_a_gait_changes_in_a_turn_steps_come_to_their_length_little_by_little(BodyPlan plan)
     {
         const float Step = 1f / 480f;
-        foreach (Creature creature in StrokeSubject.Of(plan))
+        foreach (LeggedBody body in Bodies(plan))
         {
-            LeggedBody body = LeggedBody.Of(new MotionSubject(creature))!;
             float speed = 0.3f * (float)System.Math.Sqrt(Gravity * body.LegLength);
             GaitClock clock = Going(body, GaitLibrary.Walk, speed, 2.5f, 0f);
             clock.Change(GaitLibrary.Trot, speed * speed / (Gravity * body.LegLength), Gravity, Lead.Left);
@@ -156,4 +151,6 @@ public sealed class GaitClockTests
 
         return clock;
     }
+
+    private static IEnumerable<LeggedBody> Bodies(BodyPlan plan) => StrokeSubject.Of(plan).Select(creature => LeggedBody.Of(new MotionSubject(creature))!);
 }
