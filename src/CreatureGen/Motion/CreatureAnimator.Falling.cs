@@ -21,7 +21,7 @@ public sealed partial class CreatureAnimator
     /// <summary>How far it jumps from where it stands; all 0 for what cannot.</summary>
     public JumpReach JumpReach => Mode?.ReachOf(root.Scale, settings.Gravity) ?? default;
 
-    /// <summary>Has a walker jump to a point, from a stand or a run, over whatever is between: it turns there, crouches, flies and lands.</summary>
+    /// <summary>Has what stands on legs jump to a point, from a stand or a run, over whatever is between: it turns there, crouches, flies and lands. A flier opens its wings as it jumps; asked to be in the air, or falling harder than its legs bear, it goes on on its wings.</summary>
     /// <param name="target">Where its root is to land, world space.</param>
     /// <returns>Whether it does, or why it does not.</returns>
     /// <exception cref="ArgumentException">The target is not finite, or farther than 10¹² m along an axis.</exception>

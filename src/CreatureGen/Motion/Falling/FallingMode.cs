@@ -25,6 +25,7 @@ internal sealed partial class FallingMode : ILocomotionMode
     private readonly LeggedBody? body;
     private readonly Lazy<FallProfile> profile;
     private readonly ILocomotionMode inner;
+    private readonly IWingedMode? wings;
     private readonly WalkingMode? legs;
     private readonly EventQueue events;
     private Footing footing;
@@ -55,6 +56,7 @@ internal sealed partial class FallingMode : ILocomotionMode
         this.profile = profile;
         this.floats = floats;
         this.inner = inner;
+        wings = inner as IWingedMode;
         this.legs = legs;
         this.events = events;
         blow = Blow.None;
@@ -117,7 +119,7 @@ internal sealed partial class FallingMode : ILocomotionMode
     /// <summary>Has it jump so that its root lands at a point of the world.</summary>
     public JumpResult Jump(Vector3 target, in RootPlace place, in MotionSettings settings)
     {
-        if (legs == null || State != BodyState.Supported || !inner.StandsOnFeet || inner != legs)
+        if (legs == null || State != BodyState.Supported || !inner.StandsOnFeet)
         {
             return legs == null ? JumpResult.NoLegs : JumpResult.NotOnFeet;
         }
@@ -155,6 +157,12 @@ internal sealed partial class FallingMode : ILocomotionMode
         if (State == BodyState.Supported && inner == legs && footing.IsLost(body!, legs, place, dt, settings, felt))
         {
             Begin(place, local, settings);
+        }
+
+        if (State == BodyState.Falling && TakesWing(place, input, settings))
+        {
+            wings!.TakeWing(Rotation.Rotate(Rotation.Inverse(place.Rotation), Fall.Velocity) / place.Scale);
+            State = BodyState.Supported;
         }
 
         if (goesLimp || State == BodyState.Falling)
@@ -328,61 +336,7 @@ internal sealed partial class FallingMode : ILocomotionMode
         return next;
     }
 
-    private RootPlace Leaping(RootPlace place, float dt, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
-    {
-        place = Leap.Advance(place, dt, settings, ground, layer, local, out bool off);
-        if (off)
-        {
-            Fall.Begin(local, Leap.Velocity, Leap.Turn);
-            State = BodyState.Falling;
-            legs!.Tell(MotionEventKind.FootUp, Vec.Length(Leap.Velocity), 1f);
-            Tell(MotionEventKind.Jumped, place, settings.Up, Vec.Length(Leap.Velocity), 0f);
-        }
-
-        return place;
-    }
-
     private float Tau(float scale, float gravity) => (float)Math.Sqrt(profile.Value.Height * scale / gravity);
-
-    private void Begin(in RootPlace place, in Pose shown, in MotionSettings settings)
-    {
-        BodyVelocity velocity = legs!.Velocity;
-        Fall.Begin(shown, Rotation.Rotate(place.Rotation, velocity.Linear) * place.Scale, AirTurn.Spinning(velocity.YawRate));
-        State = BodyState.Falling;
-        Tell(MotionEventKind.Fell, place, settings.Up, 0f, 0f);
-    }
-
-    private RootPlace Falling(RootPlace place, float dt, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
-    {
-        place = Fall.Fall(place, dt, settings, ground, layer, local, out float impact);
-        if (impact > 0f)
-        {
-            State = BodyState.Landed;
-            if (impact > profile.Value.BorneSpeed * settings.Gravity * Tau(place.Scale, settings.Gravity))
-            {
-                // More than its legs take: it collapses, and gets up by itself.
-                goesLimp = true;
-                getsUp = true;
-            }
-
-            float force = Fall.ForceOf(impact, settings.Gravity);
-            Tell(MotionEventKind.Landed, place, settings.Up, impact, force);
-            legs!.Tell(MotionEventKind.FootDown, impact, force);
-        }
-
-        return place;
-    }
-
-    /// <summary>The legs take up the fall; meanwhile it goes no faster than it came.</summary>
-    private RootPlace Landed(RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
-    {
-        State = Fall.Absorb(dt) ? BodyState.Supported : State;
-        float going = legs!.Speed * place.Scale;
-        var asked = new MotionInput(Scalar.Clamp(input.Speed, Math.Min(going, 0f), Math.Max(going, 0f)), input.YawRate);
-        place = legs.Update(place, dt, asked, settings, ground, layer, local);
-        Fall.Fade(dt, local);
-        return place;
-    }
 
     private void Tell(MotionEventKind kind, in RootPlace place, Vector3 up, float speed, float strength) =>
         events.Add(new MotionEvent(kind, -1, profile.Value.Body, place.Position, up, 0, speed, strength, 0f));

@@ -13,7 +13,7 @@ namespace CreatureGen.Motion.Flying;
 /// set below it: the pose on the legs is mixed with that in the air by how much the feet are planted. Wings belong to the flight at all times. What has no legs is always in the air: it hovers
 /// where others stand.
 /// </summary>
-internal sealed class FlyingMode : ILocomotionMode
+internal sealed class FlyingMode : IWingedMode
 {
     /// <summary>How far down the ground is looked for, metres of the model.</summary>
     private const float Lookout = 200f;
@@ -24,11 +24,17 @@ internal sealed class FlyingMode : ILocomotionMode
     /// <summary>Force of all feet at a leap and at a touchdown, weights of the body.</summary>
     private const float PushForce = 2.5f;
 
+    /// <summary>How far wings are opened in a jump and in a fall, as those that are shown, and how quickly, √(g/leg).</summary>
+    private const double HeldOpen = 0.9;
+    private const double OpeningRate = 4.5;
+
     private readonly FlightProfile profile;
     private readonly WalkingMode? legs;
     private readonly StancePose stance;
     private readonly EventQueue events;
     private FlightState state;
+    private CriticallyDampedSpring opened;
+    private double opening;
     private float turn;
 
     /// <summary>Speed of its legs when they came down or began to make ready for a leap, metres of the model per second; null while they go as they are asked.</summary>
@@ -68,7 +74,7 @@ internal sealed class FlyingMode : ILocomotionMode
     private FlightState Resting => legs != null ? FlightState.OnGround : FlightState.Hovering(profile);
 
     /// <summary>Whether it stands still with its wings folded.</summary>
-    public bool IsFolded => StandsOnFeet && legs!.IsStill && state.Phase == FlightPhase.Grounded && state.WingSpread < 0.01f;
+    public bool IsFolded => StandsOnFeet && legs!.IsStill && state.Phase == FlightPhase.Grounded && state.WingSpread < 0.01f && opened.Value < 0.01;
 
     public RootPlace Update(RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
@@ -79,7 +85,7 @@ internal sealed class FlyingMode : ILocomotionMode
             bool before = IsOnFeet;
             FlightPhase phase = state.Phase;
             float left = state.Left;
-            RootDelta way = Fly(place, left, input, settings, ground, layer, out asked);
+            RootDelta way = Fly(place, left, input, settings, HeightOf(place, settings, ground), layer, out asked);
             float gone = left - state.Left;
             if (before)
             {
@@ -117,7 +123,7 @@ internal sealed class FlyingMode : ILocomotionMode
         do
         {
             bool before = IsOnFeet;
-            Fly(goal, state.Left, input, settings, ground, layer, out asked);
+            Fly(goal, state.Left, input, settings, height, layer, out asked);
             Speed = before ? legs!.Speed : state.Speed;
             turn = (float)state.Turn.Value;
             Change(before, goal, settings, ground, layer);
@@ -142,7 +148,8 @@ internal sealed class FlyingMode : ILocomotionMode
         state = Resting;
         Speed = 0f;
         kept = null;
-        Fly(place, 0f, default, settings, ground, layer, out FlightInput asked);
+        opened = default;
+        Fly(place, 0f, default, settings, HeightOf(place, settings, ground), layer, out FlightInput asked);
         if (legs != null)
         {
             legs.Sink = 0f;
@@ -150,6 +157,34 @@ internal sealed class FlyingMode : ILocomotionMode
         }
 
         Write(asked, local);
+    }
+
+    public void HoldWings(in RootPlace place, float dt, bool open, in MotionSettings settings, BodyLayer? layer, in Pose local)
+    {
+        opening = open ? HeldOpen : 0;
+        FlightInput asked;
+        state.Left = dt;
+        do
+        {
+            // What its legs jump off is as good as ground under them.
+            Fly(place, state.Left, default, settings, 0f, layer, out asked);
+        }
+        while (state.Left > 0f);
+        opening = 0;
+        Speed = legs!.Speed;
+        stance.Take(local);
+        Write(asked, local);
+    }
+
+    public void TakeWing(Vector3 velocity)
+    {
+        state.Phase = FlightPhase.Airborne;
+        state.Age = 0;
+        state.Ahead = Momentum.At(velocity.Z);
+        state.Rise = Momentum.At(velocity.Y);
+        state.Fell = true;
+        Speed = state.Speed;
+        kept = null;
     }
 
     public void Rebase(Vector3 offset) => legs?.Rebase(offset);
@@ -160,6 +195,7 @@ internal sealed class FlyingMode : ILocomotionMode
         legs?.CopyFrom(mode.legs!);
         stance.CopyFrom(mode.stance);
         state = mode.state;
+        opened = mode.opened;
         turn = mode.turn;
         kept = mode.kept;
         Speed = mode.Speed;
@@ -222,7 +258,7 @@ internal sealed class FlyingMode : ILocomotionMode
         }
     }
 
-    private RootDelta Fly(in RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, BodyLayer? layer, out FlightInput asked)
+    private RootDelta Fly(in RootPlace place, float dt, in MotionInput input, in MotionSettings settings, float height, BodyLayer? layer, out FlightInput asked)
     {
         FlightIntent intent = legs == null || input.Medium == MotionMedium.Air ? FlightIntent.Air : FlightIntent.Ground;
         float scale = place.Scale;
@@ -233,8 +269,10 @@ internal sealed class FlyingMode : ILocomotionMode
 
         state.RunOut = legs?.RunOut ?? 0f;
         state.Raised = legs?.Raised ?? 0f;
-        asked = new FlightInput(intent, input.Speed / scale, input.YawRate, input.ClimbRate / scale, HeightOf(place, settings, ground), settings.Gravity / scale, settings.Flying, Math.Max(layer?.Wings ?? 0f, 0f));
+        asked = new FlightInput(intent, input.Speed / scale, input.YawRate, input.ClimbRate / scale, height, settings.Gravity / scale, settings.Flying);
         RootDelta way = FlightMotion.Advance(profile, asked, ref state, dt);
+        opened.Step(opening, OpeningRate * Math.Sqrt(asked.Gravity / profile.LegLength), dt - state.Left);
+        asked = asked with { ShownWings = Math.Max(layer?.Wings ?? 0f, (float)opened.Value) };
         events.Left = state.Left;
         for (int k = state.BeatsBegun - 1; k >= 0; k--)
         {

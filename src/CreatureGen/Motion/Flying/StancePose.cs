@@ -32,6 +32,9 @@ internal sealed class StancePose
     /// <summary>Takes over how another was posed.</summary>
     public void CopyFrom(StancePose other) => local.Take(other.local.Pose);
 
+    /// <summary>Takes over a pose on its legs.</summary>
+    public void Take(in Pose pose) => local.Take(pose);
+
     /// <summary>The pose, at rest, to be written anew.</summary>
     public Pose Cleared()
     {
