@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using CreatureGen.Anatomy;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Modes;
 using CreatureGen.Rigging;
@@ -9,6 +10,12 @@ namespace CreatureGen.Motion.Falling;
 /// <content>What blows do, and how it goes limp.</content>
 internal sealed partial class FallingMode
 {
+    /// <summary>Arm by which a blow turns a floating body as much as it pushes it, part of the body's size.</summary>
+    private const float LeverPart = 0.3f;
+
+    /// <summary>Whether air or water carries it, and nothing holds it that a blow turns.</summary>
+    private bool Floats => State == BodyState.Afloat || (subject.Kind != LocomotionKind.Walking && !inner.IsOnFeet);
+
     /// <summary>Has it go limp with the next update.</summary>
     public void GoLimp()
     {
@@ -42,7 +49,7 @@ internal sealed partial class FallingMode
         else
         {
             Recoil.Strike(joint, impulse, place, model, tau);
-            Stagger(change, place, balance / KnockDown, tau);
+            Stagger(joint, change, place, model, balance / KnockDown, tau);
         }
     }
 
@@ -72,22 +79,27 @@ internal sealed partial class FallingMode
         return true;
     }
 
-    /// <summary>Lets the body be pushed: on its legs it steps after it, else it is carried off and slows down.</summary>
-    private void Stagger(Vector3 change, in RootPlace place, float unit, float tau)
+    /// <summary>Lets the body be pushed: on its legs it steps after it and reels; else it is carried off and slows down, and turns meanwhile where air or water carries it.</summary>
+    private void Stagger(int joint, Vector3 change, in RootPlace place, in Pose model, float unit, float tau)
     {
+        Vector3 own = Rotation.Rotate(Rotation.Inverse(place.Rotation), change);
         if (State == BodyState.Falling)
         {
             Fall.Push(change);
         }
-        else if (legs != null && inner.StandsOnFeet)
+        else if (legs != null && inner.StandsOnFeet && State != BodyState.Afloat)
         {
-            Vector3 own = Rotation.Rotate(Rotation.Inverse(place.Rotation), change);
             legs.Push(own / place.Scale, 0f);
-            Reel.Strike(own / unit, tau);
+            Reel.Strike(own / unit, 0f, tau);
         }
         else
         {
             drift.Push(change);
+            if (Floats)
+            {
+                Vector3 lever = (model.Positions[joint] - subject.Mass.Centre) / (LeverPart * profile.Value.Ragdoll.Size);
+                Reel.Strike(own / unit, Vec.Cross(lever, own / unit).Y, tau);
+            }
         }
     }
 }

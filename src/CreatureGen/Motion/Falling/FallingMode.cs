@@ -109,7 +109,7 @@ internal sealed partial class FallingMode : ILocomotionMode
 
     private Recoil Recoil => recoil ??= new Recoil(profile.Value);
 
-    private Reel Reel => reel ??= new Reel(body!.Legs.Length, body.LegLength);
+    private Reel Reel => reel ??= new Reel(body?.Legs.Length ?? 0, body?.LegLength ?? 0f);
 
     private FreeFall Fall => fall ??= new FreeFall(body!, profile.Value, legs!);
 
@@ -314,7 +314,7 @@ internal sealed partial class FallingMode : ILocomotionMode
                 return Landed(place, dt, input, settings, ground, layer, local);
             case BodyState.Afloat:
                 local.SetToRest(subject.Skeleton);
-                return Water.Update(drift.Carry(place, dt, Tau(place.Scale, settings.Gravity)), dt, input, settings, ground, layer, local);
+                return Swimming(place, dt, input, settings, ground, layer, local);
             case BodyState.Limp:
                 return Lie(place, dt, settings, ground, local);
             case BodyState.Rising:
@@ -330,9 +330,23 @@ internal sealed partial class FallingMode : ILocomotionMode
     {
         MotionInput possible = water != null && inner.StandsOnFeet ? water.Wade(input, reading, place, settings) : input;
         float tau = Tau(place.Scale, settings.Gravity);
-        BodyLayer? reeling = reel == null ? layer : reel.On(layer, dt, tau);
+        bool stands = inner.StandsOnFeet;
+        BodyLayer? reeling = reel == null || !stands ? layer : reel.On(layer, dt, tau);
         RootPlace next = inner.Update(drift.IsOver ? place : drift.Carry(place, dt, tau), dt, possible, settings, ground, reeling, local);
         up?.Fade(dt, tau, local);
+        if (!stands)
+        {
+            reel?.Turn(profile.Value.Body, subject.Mass.Centre, dt, tau, local);
+        }
+
+        return next;
+    }
+
+    private RootPlace Swimming(in RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
+    {
+        float tau = Tau(place.Scale, settings.Gravity);
+        RootPlace next = Water.Update(drift.Carry(place, dt, tau), dt, input, settings, ground, layer, local);
+        reel?.Turn(profile.Value.Body, subject.Mass.Centre, dt, tau, local);
         return next;
     }
 

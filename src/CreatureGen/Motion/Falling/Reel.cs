@@ -3,10 +3,11 @@ using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Modes;
 using CreatureGen.Motion.Toolkit;
+using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Falling;
 
-/// <summary>A trunk that reels from a blow while its feet step after it: it tips over with the push, gives at the knees, and comes back as a damped spring.</summary>
+/// <summary>A trunk that reels from a blow: it tips over with the push and comes back as a damped spring. On feet, which step after it, it gives at the knees; what floats in air or water turns about its centre of mass.</summary>
 internal sealed class Reel
 {
     /// <summary>Spring, 1/τ with τ = √(ℓ/g), and its damping.</summary>
@@ -25,7 +26,7 @@ internal sealed class Reel
 
     private readonly BodyLayer layer;
     private readonly float legLength;
-    // Left side up, 0, nose up.
+    // Left side up, to the left, nose up.
     private Vector3 tip;
     private Vector3 rate;
 
@@ -40,11 +41,12 @@ internal sealed class Reel
 
     /// <summary>Strikes the body.</summary>
     /// <param name="change">Of its speed, in its own axes, √(gℓ).</param>
+    /// <param name="turn">How much of that is beside its middle and turns it to the left: 0 where feet hold it.</param>
     /// <param name="tau">√(ℓ/g), seconds.</param>
-    public void Strike(Vector3 change, float tau)
+    public void Strike(Vector3 change, float turn, float tau)
     {
         // To the left its right side comes up, ahead its tail.
-        rate += new Vector3(-change.X, 0f, -change.Z) * (TipRate / tau);
+        rate += new Vector3(-change.X, turn, -change.Z) * (TipRate / tau);
         rate *= Math.Min(1f, MaxRate / tau / Math.Max(Vec.Length(rate), 1e-6f));
         IsActive = true;
     }
@@ -60,9 +62,7 @@ internal sealed class Reel
             return asked;
         }
 
-        var spring = new DampedSpring(Stiffness / tau, DampingRatio, dt);
-        (tip, rate) = ((tip * spring.PlaceOfPlace) + (rate * spring.PlaceOfVelocity), (tip * spring.VelocityOfPlace) + (rate * spring.VelocityOfVelocity));
-        IsActive = Vec.Length(tip) > Over || tau * Vec.Length(rate) > Over;
+        Advance(dt, tau);
         layer.Clear();
         if (asked != null)
         {
@@ -77,6 +77,23 @@ internal sealed class Reel
         return layer;
     }
 
+    /// <summary>Goes on, and turns what nothing holds.</summary>
+    /// <param name="body">Joint of the whole body.</param>
+    /// <param name="centre">Its centre of mass, model space.</param>
+    /// <param name="dt">Seconds.</param>
+    /// <param name="tau">√(ℓ/g), seconds.</param>
+    /// <param name="local">Its pose in the parents' space.</param>
+    public void Turn(int body, Vector3 centre, float dt, float tau, in Pose local)
+    {
+        if (IsActive)
+        {
+            Advance(dt, tau);
+            Quaternion turn = AxisRotation.YawPitchRoll(tip.Y, -tip.Z, tip.X);
+            local.Rotations[body] = Rotation.Normalize(Rotation.Multiply(turn, local.Rotations[body]));
+            local.Positions[body] = centre + Rotation.Rotate(turn, local.Positions[body] - centre);
+        }
+    }
+
     /// <summary>Ends it.</summary>
     public void Stop()
     {
@@ -86,4 +103,11 @@ internal sealed class Reel
 
     /// <summary>Goes on from where another is.</summary>
     public void CopyFrom(Reel other) => (tip, rate, IsActive) = (other.tip, other.rate, other.IsActive);
+
+    private void Advance(float dt, float tau)
+    {
+        var spring = new DampedSpring(Stiffness / tau, DampingRatio, dt);
+        (tip, rate) = ((tip * spring.PlaceOfPlace) + (rate * spring.PlaceOfVelocity), (tip * spring.VelocityOfPlace) + (rate * spring.VelocityOfVelocity));
+        IsActive = Vec.Length(tip) > Over || tau * Vec.Length(rate) > Over;
+    }
 }
