@@ -14,8 +14,9 @@ internal sealed class Recoil
     private const float Stiffness = 2.7f;
     private const float DampingRatio = 0.55f;
 
-    /// <summary>Fastest throw of a joint, 1/τ, and what of it each joint farther in takes.</summary>
+    /// <summary>Fastest throw of a joint and of all of a part together, 1/τ, and what of it each joint farther in takes: no blow turns a head by much more than a radian.</summary>
     private const float MaxRate = 3.4f;
+    private const float MaxSum = 5.7f;
     private const float Inward = 0.7f;
 
     /// <summary>Radians below which it is over.</summary>
@@ -47,16 +48,23 @@ internal sealed class Recoil
         Vector3 hit = model.Positions[joint] + Rotation.Rotate(model.Rotations[joint], skeleton.Joints[joint].Along * (0.5f * skeleton.Joints[joint].Length));
         Vector3 push = Rotation.Rotate(Rotation.Inverse(place.Rotation), impulse);
         float scale = place.Scale;
+        float shares = 0f;
         float fraction = 1f;
-        for (int j = joint; j >= 0 && profile.Inertias[j] > 0f; j = skeleton.Parents[j])
+        for (int j = joint; Gives(j); j = skeleton.Parents[j], fraction *= Inward)
+        {
+            shares += fraction;
+        }
+
+        float most = Math.Min(MaxRate, MaxSum / Math.Max(shares, 1f)) / tau;
+        fraction = 1f;
+        for (int j = joint; Gives(j); j = skeleton.Parents[j], fraction *= Inward)
         {
             // The moment of inertia of a larger one grows with the fifth power of its size, the lever with the first.
             Vector3 turn = Vec.Cross(hit - model.Positions[j], push) / (profile.Inertias[j] * scale * scale * scale * scale);
             float rate = Vec.Length(turn);
-            turn *= fraction * Math.Min(1f, MaxRate / tau / Math.Max(rate, 1e-6f));
+            turn *= fraction * Math.Min(1f, most / Math.Max(rate, 1e-6f));
             int parent = skeleton.Parents[j];
             rates[j] += parent < 0 ? turn : Rotation.Rotate(Rotation.Inverse(model.Rotations[parent]), turn);
-            fraction *= Inward;
             IsActive = true;
         }
     }
@@ -96,6 +104,9 @@ internal sealed class Recoil
             Stop();
         }
     }
+
+    /// <summary>Whether a joint gives to blows.</summary>
+    private bool Gives(int joint) => joint >= 0 && profile.Inertias[joint] > 0f;
 
     /// <summary>Ends it.</summary>
     public void Stop()

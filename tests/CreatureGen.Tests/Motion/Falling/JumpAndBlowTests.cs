@@ -193,11 +193,11 @@ public sealed class JumpAndBlowTests
         }
     }
 
-    /// <summary>Looking about held the head where it was, and a blow from the side was hardly to be seen on it (.09 to .4 rad).</summary>
+    /// <summary>Looking about held the head where it was, and a blow from the side was hardly to be seen on it (.09 to .4 rad); then each joint of a long neck gave as much as a single one, and the head looked backwards (1.9 rad).</summary>
     [Fact]
     public void A_blow_to_the_head_from_the_side_throws_it_aside_while_it_looks_about()
     {
-        foreach (MotionProfile profile in FreeFallTests.Lot(690, 4))
+        foreach (MotionProfile profile in FreeFallTests.Lot(690, 16))
         {
             int head = profile.Subject.Skeleton.FirstOf(JointRole.Head);
             float unit = profile.Subject.Mass.Mass * MathF.Sqrt(9.81f * profile.LegLength);
@@ -214,7 +214,7 @@ public sealed class JumpAndBlowTests
                 most = Math.Max(most, Rotation.Angle(Rotation.Multiply(Rotation.Inverse(spared.ModelPose.Rotations[head]), struck.ModelPose.Rotations[head])));
             }
 
-            Assert.InRange(most, 0.5, 2.2);
+            Assert.True(most is > 0.45 and < 1.4, $"{profile.Subject.Seed}: {most} rad");
         }
     }
 
