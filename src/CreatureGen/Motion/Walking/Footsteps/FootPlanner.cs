@@ -180,6 +180,12 @@ internal sealed partial class FootPlanner
                 foot.Plan.From = foot.Plan.To;
             }
 
+            if (!foot.Plan.Correcting && TakenBack(foot, p, duty))
+            {
+                foot.Plan.Correcting = true;
+                foot.Plan.Flight = FootRelease.Flight((1f - duty) * cycle);
+            }
+
             if (foot.Plan.Correcting)
             {
                 Correct(i, step, p, duty, cycle);
@@ -207,6 +213,9 @@ internal sealed partial class FootPlanner
             }
         }
     }
+
+    /// <summary>Whether the gait has taken back the swing of a foot that has just left the ground: its stances have become longer. Put down at once it would be thrown to its next place; it takes a step of its own.</summary>
+    private static bool TakenBack(in Foot foot, float p, float duty) => foot.Plan.Phase == FootPhase.Swing && foot.Plan.Swing < 0.5f && p < duty && p > 0.5f * duty;
 
     private void Correct(int leg, in StepContext step, float p, float duty, float cycle)
     {

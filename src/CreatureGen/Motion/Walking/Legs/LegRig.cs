@@ -64,6 +64,9 @@ internal sealed class LegRig
 
     private const float TrailedDown = -0.25f;
 
+    /// <summary>How near its hip a foot goes past it that turns along with its leg, part of its distance from there at rest.</summary>
+    private const float NearestSweep = 0.35f;
+
     /// <summary>Where a leg under the body trails.</summary>
     private static readonly Vector3 TrailedUpright = new(0f, -0.75f, -0.65f);
 
@@ -371,10 +374,17 @@ internal sealed class LegRig
     /// <summary>Whether its foot turns along as the leg is swept, on the middle of its sole: that of claws.</summary>
     public bool Follows { get; }
 
-    /// <summary>How far the leg is swept about the vertical with its foot at a place, from rest.</summary>
+    /// <summary>How far the leg is swept about the vertical with its foot at a place, from rest: one that comes near to its hip is taken for one that goes past it outside.</summary>
     /// <param name="place">Model space; its height does not count.</param>
-    public Quaternion Sweep(Vector3 place) =>
-        Rotation.FromTo(new Vector3(Home.X - HipRest.X, 0f, Home.Z - HipRest.Z), new Vector3(place.X - HipRest.X, 0f, place.Z - HipRest.Z));
+    public Quaternion Sweep(Vector3 place)
+    {
+        var rest = new Vector3(Home.X - HipRest.X, 0f, Home.Z - HipRest.Z);
+        var swept = new Vector3(place.X - HipRest.X, 0f, place.Z - HipRest.Z);
+        float length = Vec.Length(rest);
+        float outward = Vec.Dot(swept, rest) / length;
+        float along = ((swept.Z * rest.X) - (swept.X * rest.Z)) / length;
+        return Rotation.FromTo(rest, swept + (rest * ((PastHip.Out(outward, along, NearestSweep * length) - outward) / length)));
+    }
 
     /// <summary>Axis about which knee and metatarsus turn.</summary>
     public Vector3 Hinge { get; }

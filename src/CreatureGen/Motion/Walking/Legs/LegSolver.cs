@@ -72,6 +72,9 @@ internal static class LegSolver
     private const float Folded = 0.55f;
     private const float Unfolded = 0.7f;
 
+    /// <summary>How near to its hip a foot in the air comes that begins to go past it outside, as a factor on how near a folded leg brings it.</summary>
+    private const float NearlyFolded = 1.1f;
+
     /// <summary>Solves a leg.</summary>
     /// <param name="leg">At rest.</param>
     /// <param name="parts">Its parts at rest, or with the metatarsus folded.</param>
@@ -209,15 +212,19 @@ internal static class LegSolver
         return new Vector3(target.X * fraction, target.Y, target.Z * fraction);
     }
 
-    /// <summary>Where a leg out to the side reaches for whose foot in the air is nearer to its hip than it folds: past the hip on its outer side at the same height. Straight away from the hip, as one that stands, it would whirl about that as the foot passes under it, and be kept in the ground by its limits.</summary>
+    /// <summary>Where a leg out to the side reaches for whose foot in the air comes nearer to its hip than it folds: past the hip on its outer side at the same height. Straight away from the hip, as one that stands, it would be kept in the ground by its limits.</summary>
     /// <param name="leg">At rest.</param>
     /// <param name="carrier">Turn of the trunk at its hip from rest.</param>
     /// <param name="chord">From the hip to the foot.</param>
-    public static Vector3 Outside(LegRig leg, Quaternion carrier, Vector3 chord)
+    /// <param name="ground">Height of its way on the ground.</param>
+    /// <param name="fraction">How far it comes out, 0..1.</param>
+    public static Vector3 Outside(LegRig leg, Quaternion carrier, Vector3 chord, float ground, float fraction)
     {
-        float level = (chord.X * chord.X) + (chord.Z * chord.Z);
-        float wanted = (leg.FoldedReach * leg.FoldedReach) - (chord.Y * chord.Y);
-        if (wanted <= level)
+        // As far as where it is lifted most, all the time: at the height at which it just begins to be folded it would come out at once.
+        float high = Math.Max(ground + (leg.Traits.Lift * leg.Length), chord.Y);
+        float near = NearlyFolded * leg.FoldedReach;
+        float squared = (near * near) - (high * high);
+        if (squared <= 0f)
         {
             return chord;
         }
@@ -225,14 +232,21 @@ internal static class LegSolver
         Vector3 side = Rotation.Rotate(carrier, leg.Side == Anatomy.Side.Left ? Vector3.UnitX : -Vector3.UnitX);
         Vector3 outward = Vec.Normalize(new Vector3(side.X, 0f, side.Z), Vector3.UnitX);
         float along = (chord.Z * outward.X) - (chord.X * outward.Z);
-        Vector3 past = (outward * (float)Math.Sqrt(wanted - (along * along))) + (new Vector3(-outward.Z, 0f, outward.X) * along);
+        float outside = Vec.Dot(chord, outward);
+        float past = PastHip.Out(outside, along, (float)Math.Sqrt(squared));
+        if (past == outside)
+        {
+            return chord;
+        }
 
-        // All the way outside within half of that distance; none of it at the whole.
-        float distance = (float)Math.Sqrt(wanted);
-        float near = (float)Math.Sqrt(level) / distance;
-        Vector3 away = Vec.Normalize(new Vector3(chord.X, 0f, chord.Z), outward) * distance;
-        Vector3 way = Vec.Normalize(Vec.Lerp(away, past, Scalar.Smooth(2f * (1f - near))), outward) * distance;
-        return new Vector3(way.X, chord.Y, way.Z);
+        // It turns about the hip to there: straight from within it would whirl past it.
+        fraction *= Scalar.Smooth((near + high) / (near - leg.FoldedReach));
+        float turn = fraction * FastTrigonometry.Of((outside - past) * along, (outside * past) + (along * along));
+        FastTrigonometry.SinCos(turn, out float sine, out float cosine);
+        float scale = Scalar.Lerp(1f, (float)Math.Sqrt(((past * past) + (along * along)) / Math.Max((outside * outside) + (along * along), 1e-12f)), fraction);
+        float to = scale * ((outside * cosine) - (along * sine));
+        float ahead = scale * ((along * cosine) + (outside * sine));
+        return (outward * to) + new Vector3(-outward.Z * ahead, chord.Y, outward.X * ahead);
     }
 
     /// <summary>Where the solved parts end, from the hip.</summary>

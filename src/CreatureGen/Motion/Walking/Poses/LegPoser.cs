@@ -26,6 +26,9 @@ internal sealed class LegPoser
     /// <summary>How high it is carried over something from which on it does so wholly, leg lengths.</summary>
     private const float WhollyOver = 0.08f;
 
+    /// <summary>Part of the height of its swing from which on a foot out to the side goes past its hip wholly outside.</summary>
+    private const float WhollyOutside = 0.67f;
+
     private readonly LeggedBody body;
     private readonly RestRotations turns;
 
@@ -84,6 +87,12 @@ internal sealed class LegPoser
             // Folded to the body it goes along with its shank, whose turn an ankle does not undo.
             wanted.Foot = UnitRotation.Nlerp(wanted.Foot, solved.Shank, carried);
             wanted.Toes = UnitRotation.Nlerp(wanted.Toes, solved.Shank, carried);
+        }
+
+        if (carried > 0f && leg.Traits.Linkage == LegLinkage.Foot)
+        {
+            // It turns about its ankle, which the leg brings to where it is: its ball goes along.
+            wanted.Ball = wanted.Target + Rotation.Rotate(wanted.Foot, leg.Metatarsus);
         }
 
         HipLimit limit = HipLimit.Of(foot);
@@ -161,7 +170,8 @@ internal sealed class LegPoser
         }
 
         HipLimit limit = HipLimit.Of(foot);
-        var goal = new LegGoal(leg.Lateral && foot.Phase == FootPhase.Swing ? LegSolver.Outside(leg, carrier, chord) : chord, foot.Path.Heading, limit.Slack, limit.Tolerance);
+        float lifted = foot.Phase == FootPhase.Swing ? leg.Traits.LiftCurve.At(foot.Swing) : 0f;
+        var goal = new LegGoal(leg.Lateral && lifted > 0f ? LegSolver.Outside(leg, carrier, chord, ground, Scalar.Smooth(lifted / WhollyOutside)) : chord, foot.Path.Heading, limit.Slack, limit.Tolerance);
         bool bent = !Aim(leg, parts, carrier, goal, local, out solved);
         if (bent)
         {
