@@ -46,8 +46,15 @@ internal static class FootRoll
     /// <summary>Part of the pitch that toes off the ground make.</summary>
     private const float ToeFraction = 0.8f;
 
-    /// <summary>Radians per second at which toes leave the ground at most: in the short stances of a fast gallop they roll off less far.</summary>
+    /// <summary>Part of the swing in which it goes from there to how it comes down.</summary>
+    private const float Levelling = 0.58f;
+
+    /// <summary>Radians per second at which a foot rolls at most: in the short stances of a fast gallop toes roll off less far, and in short swings a foot is pitched and folded less.</summary>
     private const float FastestRoll = 20f;
+
+    /// <summary>Greatest slope of the course of that over its part of the swing, and of that of a fold over all of it.</summary>
+    private const float SmoothSlope = 1.5f;
+    private const float FoldSlope = 4f;
 
     /// <summary>Speed backwards, of √(gℓ), from which on feet do not roll over their toes.</summary>
     private const float BackingSpeed = 0.14f;
@@ -66,7 +73,7 @@ internal static class FootRoll
     /// <summary>What a foot does at its place in the cycle.</summary>
     public static FootPosture At(in Foot foot, LegRig leg, in GaitNumbers gait) => new(
         Pitch(foot, leg, gait.Duty, gait.Cycle) * gait.Roll,
-        leg.Traits.Linkage == LegLinkage.Pantograph ? Fold(foot, leg.Traits) * gait.Roll : 0f,
+        leg.Traits.Linkage == LegLinkage.Pantograph ? Fold(foot, leg.Traits, (1f - gait.Duty) * gait.Cycle) * gait.Roll : 0f,
         foot.Phase == FootPhase.Swing ? 0f : Load(Math.Min(foot.Stance, 1f), gait.ForceDip, gait.Activity));
 
     /// <summary>Load of a foot in its stance, parts of its mean over the middle: sin πs + dip · sin 3πs of one that goes; one that stands has its share, which it takes on and gives up softly as soon as it steps.</summary>
@@ -100,10 +107,10 @@ internal static class FootRoll
         }
 
         float u = foot.Swing;
-        float peak = traits.SwingPitch * leg.RollFraction;
+        float peak = Math.Min(traits.SwingPitch * leg.RollFraction, strike + (FastestRoll * Levelling * (1f - duty) * cycle / SmoothSlope));
         if (u >= PeakAt)
         {
-            return peak + ((strike - peak) * Scalar.Smooth((u - PeakAt) / 0.58f));
+            return peak + ((strike - peak) * Scalar.Smooth((u - PeakAt) / Levelling));
         }
 
         // Hermite from the end of stance, with its rate, to the peak.
@@ -115,7 +122,10 @@ internal static class FootRoll
     }
 
     /// <summary>Fold of the metatarsus beyond its link to the thigh, radians.</summary>
-    public static float Fold(in Foot foot, LegGaitParameters traits)
+    /// <param name="foot">Its place in the cycle.</param>
+    /// <param name="traits">Of its leg.</param>
+    /// <param name="swing">Seconds that it is in the air.</param>
+    public static float Fold(in Foot foot, LegGaitParameters traits, float swing)
     {
         if (foot.Phase == FootPhase.Stance)
         {
@@ -123,7 +133,8 @@ internal static class FootRoll
         }
 
         float u = foot.Swing;
-        return (traits.Fold * traits.FoldCurve.At(u)) + (traits.Unfold * Scalar.Smooth((u - 0.52f) / 0.28f) * (1f - Scalar.Smooth((u - 0.80f) / 0.20f)));
+        float most = FastestRoll * swing / FoldSlope;
+        return (Scalar.Clamp(traits.Fold, -most, most) * traits.FoldCurve.At(u)) + (traits.Unfold * Scalar.Smooth((u - 0.52f) / 0.28f) * (1f - Scalar.Smooth((u - 0.80f) / 0.20f)));
     }
 
     /// <summary>Pitch of the toes of a flat foot, whose heel rises about the ball first.</summary>
