@@ -11,9 +11,10 @@ internal sealed partial class FootingSearch
     /// <summary>Places to either side at which a foot is off edges are looked for.</summary>
     private const int Looks = 5;
 
-    /// <summary>How far a foot is shifted for an end that would be in a wall, for one that hangs, for a wall right before its toes, for a leg length beyond what its leg reaches, and for one from where it went before as its swing ends; leg lengths.</summary>
+    /// <summary>How far a foot is shifted for an end that would be in a wall, for one that hangs, for long toes that hang by more than half, so that nothing but their root stands, for a wall right before its toes, for a leg length beyond what its leg reaches, and for one from where it went before as its swing ends; leg lengths.</summary>
     private const float WallCost = 0.5f;
     private const float HangCost = 0.12f;
+    private const float HalfHangCost = 0.35f;
     private const float NearWallCost = 0.07f;
     private const float BeyondCost = 2.5f;
     private const float LateCost = 1.5f;
@@ -92,10 +93,10 @@ internal sealed partial class FootingSearch
     private static float Cost(in Sole sole)
     {
         float near = sole.Toes != SoleEnd.Wall && sole.Before == SoleEnd.Wall ? NearWallCost : 0f;
-        return Cost(sole.Toes) + Cost(sole.Middle) + Cost(sole.Heel) + near;
+        return Cost(sole.Toes) + Cost(sole.Middle, HalfHangCost) + Cost(sole.Heel) + near;
     }
 
-    private static float Cost(SoleEnd end) => end switch { SoleEnd.Wall => WallCost, SoleEnd.Hangs => HangCost, _ => 0f };
+    private static float Cost(SoleEnd end, float hangs = HangCost) => end switch { SoleEnd.Wall => WallCost, SoleEnd.Hangs => hangs, _ => 0f };
 
     /// <summary>How far a place is beyond what a leg reaches as its foot comes down there and late in the stance, and beyond what a hip above it turns to as it comes down and as the body comes over it, metres.</summary>
     private float Beyond(in StepContext step, LegRig shape, in Foot foot, float flight, in GroundHit hit)

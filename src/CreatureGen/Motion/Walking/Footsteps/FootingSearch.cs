@@ -251,6 +251,14 @@ internal sealed partial class FootingSearch
     {
         float end = EndFraction * shape.Toe;
         float toe = Rise(step, shape, target, sole.At(end, 0f), hit, out sole.Toes);
+        if (sole.Toes == SoleEnd.Wall && toe > 0f)
+        {
+            // Where toes that are raised to it end before the wall, it is no ground for them.
+            float raised = shape.Toe * end / (float)Math.Sqrt((end * end) + (toe * toe));
+            Rise(step, shape, target, sole.At(raised, 0f), hit, out SoleEnd tip);
+            toe = tip == SoleEnd.Wall ? toe : 0f;
+        }
+
         float heel = Rise(step, shape, target, sole.At(-EndFraction * shape.Heel, 0f), hit, out sole.Heel, out float ground);
         sole.Below = HeelFraction * ground;
         Rise(step, shape, target, sole.At(shape.Toe + (RollsOn * shape.Length), 0f), hit, out sole.Before);
