@@ -33,7 +33,7 @@ internal sealed class GroundedEnds
     /// <summary>How far the first neck and its head were raised last, and those beside it, radians; NaN where nothing was before.</summary>
     private readonly float[] raised;
 
-    /// <summary>How far each joint that a crawler lays down was raised out of the ground last, radians; NaN where none was laid down before.</summary>
+    /// <summary>How far each joint that a crawler lays down was turned up last, radians; NaN where none was laid down before.</summary>
     private readonly float[] laid;
 
     /// <summary>How far these may go on from there, radians: as far as there is need until time goes on.</summary>
@@ -86,8 +86,9 @@ internal sealed class GroundedEnds
             int joint = body.Bearers[i];
             Vector3 along = body.Skeleton.Joints[joint].Along;
             float goal = joint == body.Head ? Elevation(Rotation.Rotate(body.Skeleton.ModelRotations[joint], along)) : -Sinking;
-            TurnUp(joint, fraction * (goal - Elevation(Rotation.Rotate(model.Rotations[joint], along))), local, model);
-            float total = 0f;
+            Quaternion carried = local.Rotations[joint];
+            float total = fraction * (goal - Elevation(Rotation.Rotate(model.Rotations[joint], along)));
+            TurnUp(joint, total, local, model);
             for (int round = 0; round < ClearingRounds; round++)
             {
                 float raise = Math.Min(body.BearerSkins[i].Raise(ground, model.Positions[joint], model), MaxCleared);
@@ -95,9 +96,14 @@ internal sealed class GroundedEnds
                 TurnUp(joint, raise, local, model);
             }
 
-            // What of its skin touches the ground changes from one moment to the next.
+            // What of its skin touches the ground changes from one moment to the next, and a joint makes good what all those before it have turned. Turned on from where a limit held it, it would jump.
             float gentle = float.IsNaN(laid[i]) ? total : Math.Min(Math.Max(total, laid[i] - step), laid[i] + step);
-            TurnUp(joint, gentle - total, local, model);
+            if (gentle != total)
+            {
+                local.Rotations[joint] = carried;
+                Turn(joint, AxisRotation.Pitch(-gentle), local, model);
+            }
+
             laid[i] = gentle;
         }
     }
