@@ -73,12 +73,12 @@ internal static class Attacks
             new ActPhase("recover", 1.8f).To(Ahead, 0f).To(NeckSide, 0f).To(HeadSide, 0f).To(NeckPitch, 0f).To(Ears, 0f).To(ForeDown, 0f).To(HindDown, 0f))
             .Needing(ActNeeds.FourLegs).With(ActTool.HindFoot).For(BodyBuild.Hoofed | BodyBuild.Columnar | BodyBuild.Pawed).OnTheSpot(),
         new Act("Kick", ActKind.Strike,
-            new ActPhase("raise", 1.5f).To(Aside, -0.16f).To(HindFootUp, 0.4f).To(HindFootAhead, 0.15f).To(HindFootPitch, 0.4f).To(ArmsOut, 0.4f).To(Wings, 0.5f).To(TailPitch, -0.1f).AtLeast(Seen).Then(ActMark.Commit),
-            new ActPhase("strike", 0.45f, ActEase.In).To(HindFootPitch, -0.3f).To(Pitch, 0.12f).To(Reach, 0.9f),
-            new ActPhase("hit", 0.18f, ActEase.Out).To(Reach, 1f).Then(ActMark.Contact),
-            new ActPhase("fold back", 1.4f).To(Reach, 0f).To(Pitch, 0f).To(HindFootUp, 0.3f).To(HindFootAhead, 0.05f).To(HindFootPitch, 0.3f),
-            new ActPhase("land", 1.1f).To(HindFootUp, 0f).To(HindFootAhead, 0f).To(HindFootPitch, 0f),
-            new ActPhase("recover", 1.4f).To(Aside, 0f).To(ArmsOut, 0f).To(Wings, 0f).To(TailPitch, 0f))
+            new ActPhase("raise", 1.5f).To(Aside, -0.16f).To(Ahead, -0.06f).To(HindFootUp, 0.5f).To(HindFootAhead, 0.12f).To(HindFootPitch, 0.5f).To(ArmsOut, 0.5f).To(Wings, 0.5f).To(NeckPitch, 0.2f).To(Jaw, 0.3f).To(TailPitch, -0.2f).AtLeast(Seen).Then(ActMark.Commit),
+            new ActPhase("strike", 0.45f, ActEase.In).To(HindFootPitch, -0.4f).To(Pitch, 0.3f).To(NeckPitch, -0.1f).To(Reach, 0.9f),
+            new ActPhase("hit", 0.18f, ActEase.Out).To(Pitch, 0.35f).To(Reach, 1f).Then(ActMark.Contact),
+            new ActPhase("fold back", 1.4f).To(Reach, 0f).To(Pitch, 0.1f).To(Ahead, 0.03f).To(HindFootUp, 0.35f).To(HindFootAhead, 0.05f).To(HindFootPitch, 0.3f).To(Jaw, 0f),
+            new ActPhase("land", 1.1f).To(Pitch, 0f).To(HindFootUp, 0f).To(HindFootAhead, 0f).To(HindFootPitch, 0f).To(HindDown, 0.1f),
+            new ActPhase("recover", 1.4f).To(Aside, 0f).To(Ahead, 0f).To(HindDown, 0f).To(NeckPitch, 0f).To(ArmsOut, 0f).To(Wings, 0f).To(TailPitch, 0f))
             .Needing(ActNeeds.Legs).With(ActTool.HindFoot).For(BodyBuild.TwoLegged | BodyBuild.Upright).OnTheSpot(),
         OverBack().Needing(ActNeeds.Sting | ActNeeds.Legs).For(BodyBuild.Standing),
         new Act("Sting", ActKind.Strike,

@@ -60,6 +60,13 @@ internal static class Upkeep
             new ActPhase("back", 2.4f).To(Reach, 0f).To(Ahead, 0f).To(ForeDown, 0f).To(Ears, 0f).To(TailPitch, 0f))
             .Needing(ActNeeds.Head).With(ActTool.Mouth, 0.4f).For(BodyBuild.Sprawling | BodyBuild.ManyLegged),
         new Act("Sniff", ActKind.Upkeep,
+            new ActPhase("down", 2.6f).To(Reach, 1f).To(Ears, -0.5f).To(TailPitch, 0.1f).Then(ActMark.Contact),
+            new ActPhase("track", 6f).To(Reach, 0.88f).With(new ActWave(Reach, 0.04f, 6f)).With(new ActWave(NeckSide, 0.4f, 2f)).With(new ActWave(HeadSide, 0.25f, 2f, 0.1f)).With(new ActWave(HeadPitch, 0.05f, 10f)).With(new ActWave(Jaw, 0.05f, 10f)).With(new ActWave(Ears, 0.3f, 5f, 0.3f)).With(new ActWave(TailSide, 0.25f, 2f)),
+            new ActPhase("to the wind", 2.4f).To(Reach, 0f).To(NeckPitch, 0.28f).To(HeadPitch, 0.3f).To(HeadSide, 0.15f).To(Ears, -0.7f),
+            new ActPhase("scent", 2.4f).To(HeadSide, -0.15f).With(new ActWave(HeadPitch, 0.08f, 5f)).With(new ActWave(Jaw, 0.05f, 5f)),
+            new ActPhase("back", 2f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(HeadSide, 0f).To(Ears, 0f).To(TailPitch, 0f))
+            .Needing(ActNeeds.Head).With(ActTool.Mouth, 0.75f).For(BodyBuild.Pawed | BodyBuild.Hoofed | BodyBuild.Columnar | BodyBuild.TwoLegged),
+        new Act("Sniff", ActKind.Upkeep,
             new ActPhase("towards", 2.2f).To(Reach, 1f).To(Ears, -0.7f).To(TailPitch, 0.1f).Then(ActMark.Contact),
             new ActPhase("sniff", 5f).To(Reach, 0.75f).With(new ActWave(Reach, 0.05f, 6f)).With(new ActWave(NeckSide, 0.4f, 1.5f)).With(new ActWave(HeadSide, 0.25f, 1.5f, 0.1f)).With(new ActWave(HeadPitch, 0.05f, 9f)).With(new ActWave(Jaw, 0.05f, 9f)).With(new ActWave(Ears, 0.3f, 5f, 0.3f)).With(new ActWave(TailSide, 0.2f, 2f)),
             new ActPhase("to the wind", 1.8f).To(Reach, 0f).To(NeckPitch, 0.28f).To(HeadPitch, 0.3f).To(HeadSide, 0.15f).To(Ears, -0.4f),
@@ -108,9 +115,9 @@ internal static class Upkeep
             .Needing(ActNeeds.Head | ActNeeds.Arms | ActNeeds.FourLegs).For(BodyBuild.Pawed | BodyBuild.Hoofed | BodyBuild.Columnar),
         new Act("Groom", ActKind.Upkeep,
             new ActPhase("raise", 2f).To(ArmsAhead, 1f).To(ArmsOut, -0.2f).To(ArmsBend, 1.9f).To(NeckPitch, -0.4f).To(HeadPitch, -0.3f).To(ForeDown, 0.05f),
-            new ActPhase("rub", 8f).To(Lids, 0.8f).With(new ActWave(ArmsAhead, 0.18f, 7f)).With(new ActWave(ArmsBend, 0.25f, 7f, 0.2f)).With(new ActWave(HeadSide, 0.22f, 2f)).With(new ActWave(HeadRoll, 0.18f, 2f, 0.15f)).With(new ActWave(HeadPitch, 0.08f, 7f)),
-            new ActPhase("behind an ear", 5f).To(ArmAhead, 0.35f).To(ArmOut, 0.35f).To(HeadRoll, 0.3f).To(HeadSide, 0.2f).With(new ActWave(ArmBend, 0.3f, 7f)).With(new ActWave(ArmAhead, 0.1f, 7f, 0.2f)),
-            new ActPhase("lower", 2f).To(ArmsAhead, 0f).To(ArmsOut, 0f).To(ArmsBend, 0f).To(ArmAhead, 0f).To(ArmOut, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(HeadRoll, 0f).To(HeadSide, 0f).To(Lids, 0f).To(ForeDown, 0f))
+            new ActPhase("rub", 8f).To(Lids, 0.8f).With(new ActWave(ArmsAhead, 0.18f, 7f)).With(new ActWave(ArmsBend, 0.25f, 7f, 0.2f)).With(new ActWave(NeckSide, 0.2f, 2f)).With(new ActWave(HeadSide, 0.3f, 2f)).With(new ActWave(HeadRoll, 0.25f, 2f, 0.15f)).With(new ActWave(HeadPitch, 0.12f, 7f)),
+            new ActPhase("behind an ear", 5f).To(ArmAhead, 0.35f).To(ArmOut, 0.35f).To(NeckSide, 0.3f).To(HeadRoll, 0.4f).To(HeadSide, 0.3f).With(new ActWave(ArmBend, 0.3f, 7f)).With(new ActWave(ArmAhead, 0.1f, 7f, 0.2f)),
+            new ActPhase("lower", 2f).To(ArmsAhead, 0f).To(ArmsOut, 0f).To(ArmsBend, 0f).To(ArmAhead, 0f).To(ArmOut, 0f).To(NeckPitch, 0f).To(NeckSide, 0f).To(HeadPitch, 0f).To(HeadRoll, 0f).To(HeadSide, 0f).To(Lids, 0f).To(ForeDown, 0f))
             .Needing(ActNeeds.Head | ActNeeds.Arms).For(BodyBuild.Standing),
         new Act("Groom", ActKind.Upkeep,
             new ActPhase("raise", 1.6f).To(Ahead, -0.06f).To(NeckPitch, -0.25f).To(HeadPitch, -0.3f).To(ForeFeetUp, 0.26f).To(ForeFeetAhead, 0.12f).To(ForeFeetOut, -0.22f).To(Ears, 0.4f),
