@@ -25,7 +25,7 @@ internal sealed class GettingUp
     private const float SettleTime = 1.25f;
 
     /// <summary>Part of the gathering in which legs under the body are drawn in: most of it while the body is still on its side. Feet that are not there before it rolls over onto them have to pass below it, and lift it off the ground.</summary>
-    private const float DrawnIn = 0.6f;
+    private const float DrawnIn = 0.68f;
 
     /// <summary>Part of the gathering at which its trunk begins to be as high as it will stand.</summary>
     private const float Raised = 0.5f;
