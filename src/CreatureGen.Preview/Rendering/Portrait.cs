@@ -27,7 +27,7 @@ public static class Portrait
     {
         ArgumentNullException.ThrowIfNull(options);
         RenderMesh mesh = AtRest(creature);
-        return Dressed(creature, mesh, Fit(mesh, view, options), options);
+        return Dressed(creature, mesh, Fit(creature, mesh, view, options), options);
     }
 
     /// <summary>The creature at rest under the atlas of its file, or in the colours of its vertices.</summary>
@@ -39,7 +39,7 @@ public static class Portrait
     {
         ArgumentNullException.ThrowIfNull(options);
         RenderMesh mesh = AtRest(creature);
-        Camera camera = Fit(mesh, view, options);
+        Camera camera = Fit(creature, mesh, view, options);
         return Renderer.Render(textures is not null && TakesTextures(options) ? mesh.WithTextures(textures) : mesh, camera, options);
     }
 
@@ -49,7 +49,7 @@ public static class Portrait
         ArgumentNullException.ThrowIfNull(creature);
         ArgumentNullException.ThrowIfNull(options);
         RenderMesh mesh = RenderMesh.From(creature);
-        return WithSkeleton(mesh, SkeletonFigure.From(creature.Skeleton), Fit(mesh, view, options), options);
+        return WithSkeleton(mesh, SkeletonFigure.From(creature.Skeleton), Fit(creature, mesh, view, options), options);
     }
 
     /// <summary>A half transparent surface with the figure of a skeleton drawn over it.</summary>
@@ -104,8 +104,8 @@ public static class Portrait
 
     private static bool TakesTextures(RenderOptions options) => options.Shading is not (ShadingMode.Flat or ShadingMode.Faceted);
 
-    private static Camera Fit(RenderMesh mesh, View view, RenderOptions options) =>
-        Camera.Fit(Views.Angle(view), mesh.Positions, options.Width / (float)options.Height);
+    private static Camera Fit(Creature creature, RenderMesh mesh, View view, RenderOptions options) =>
+        Camera.Fit(Views.Angle(view, creature), mesh.Positions, options.Width / (float)options.Height);
 
     // Around what the head, the jaw and the eyes move most, as far about the eyes as the snout reaches ahead of them: antlers and collars may go beyond the picture. Around everything when there is no head.
     private static BoundingBox HeadBounds(Creature creature)

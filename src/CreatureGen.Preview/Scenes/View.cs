@@ -1,4 +1,7 @@
 using System;
+using System.Linq;
+using CreatureGen.Anatomy;
+using CreatureGen.Creatures;
 
 namespace CreatureGen.Preview.Scenes;
 
@@ -24,6 +27,9 @@ public enum View
 /// <summary>The words for views, and their angles.</summary>
 public static class Views
 {
+    /// <summary>The three-quarter view of spread wings. Raised and hanging, the far one has its blade in the line of sight of who looks from farther to the side and above: there it is the line of its edge.</summary>
+    private static readonly CameraAngle pastWings = new(26, 8);
+
     private static readonly string[] Words = ["three-quarter", "side", "front", "back", "top"];
 
     /// <summary>The word for a view: <c>three-quarter</c>, <c>side</c>, <c>front</c>, <c>back</c> or <c>top</c>.</summary>
@@ -50,6 +56,14 @@ public static class Views
         View.Top => new CameraAngle(0, 90),
         _ => throw Unknown(view),
     };
+
+    /// <summary>From where a view looks at a creature at rest: on spread wings in three-quarter view from nearer to the front and from lower down, so that the blade of both is seen.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">It is none of the named views.</exception>
+    public static CameraAngle Angle(View view, Creature creature)
+    {
+        ArgumentNullException.ThrowIfNull(creature);
+        return view == View.ThreeQuarter && creature.Blueprint.Wings.Any(wing => wing.Style != WingStyle.Folded) ? pastWings : Angle(view);
+    }
 
     private static ArgumentOutOfRangeException Unknown(View view) => new(nameof(view), view, "expected one of the named views");
 }
