@@ -22,6 +22,10 @@ internal static class BodyShaper
     /// <summary>Exponents below this make sections with sharp edges.</summary>
     private const double Edged = 1.5;
 
+    // Exponents of the sections of a fish above and below its spine: between back and keel its flanks are planes, and no ball from behind.
+    private const double Ridged = 1.8;
+    private const double Keeled = 1.7;
+
     /// <summary>Metres that the outline of a tail's fan or fin lies off its ring, along the spine: a bend must leave room for it.</summary>
     private const double TailOutline = 0.16;
 
@@ -57,7 +61,7 @@ internal static class BodyShaper
         Fair(plan, body, shape);
         Divide(body.Annuli, shape.Width, shape.Top, shape.Bottom);
         TailShaper.Shape(tail, shape.Step, shape.Width, shape.Top, shape.Bottom);
-        SetExponents(shape, stations, head, tail);
+        SetExponents(shape, plan, stations, head, tail);
         for (int i = 1; i < BodyGrid.Rings; i++)
         {
             shape.Arc[i] = shape.Arc[i - 1] + shape.Step[i];
@@ -325,13 +329,14 @@ internal static class BodyShaper
         }
     }
 
-    private static void SetExponents(BodyShape shape, BodyStations stations, HeadBlueprint head, TailBlueprint tail)
+    private static void SetExponents(BodyShape shape, BodyPlan plan, BodyStations stations, HeadBlueprint head, TailBlueprint tail)
     {
         bool finned = IsFinned(tail.Style);
         for (int i = 0; i < BodyGrid.Rings; i++)
         {
-            double top = stations.TopExponent;
-            double bottom = stations.BottomExponent;
+            double keel = plan == BodyPlan.Fish ? Scalar.Smooth((i - StationRing.Nape) / (double)(StationRing.Shoulder - StationRing.Nape)) : 0;
+            double top = Scalar.Lerp(stations.TopExponent, Math.Min(stations.TopExponent, Ridged), keel);
+            double bottom = Scalar.Lerp(stations.BottomExponent, Math.Min(stations.BottomExponent, Keeled), keel);
             if (i < StationRing.Nape)
             {
                 top = bottom = 2.2;

@@ -20,6 +20,14 @@ internal static class TailShaper
     private const double LongestFluke = 1.1;
     private const double FlukeBend = 0.45;
 
+    /// <summary>What is left of the thickness of a stalk where its fin opens that is longer than the fin.</summary>
+    private const double StalkEnd = 0.55;
+
+    // Half thickness of an upright fin and of a fluke at their rear edges, metres, and what a fluke has more before it, in half of its span: a sheet is a thread from the side.
+    private const double FinThickness = 0.007;
+    private const double FlukeEdge = 0.012;
+    private const double FlukeFlesh = 0.07;
+
     /// <summary>Half thickness of a fan of feathers over their quills, metres, and the ring from which on it runs out to an edge: as thick to its end it is sawn off.</summary>
     private const double Quills = 0.017;
     private const int FanThins = 48;
@@ -43,22 +51,26 @@ internal static class TailShaper
             case TailStyle.Lance:
                 for (int i = Start; i < BodyGrid.Rings; i++)
                 {
-                    double q = Scalar.Smooth((i - FinFirst) / 7.0);
-                    double flare = tail.Size * PortableMath.Pow(tail.Style == TailStyle.Lance ? q : Opening(tail, step, i), 1.3);
-                    top[i] = Math.Max(0.03, (top0 * (1 - q)) + (flare * (1 + tail.Lobe)));
-                    bottom[i] = Math.Max(0.03, (bottom0 * (1 - q)) + (0.95 * flare * (1 - tail.Lobe)));
-                    width[i] = (width0 * PortableMath.Pow(1 - q, 1.5)) + 0.007;
+                    double q = tail.Style == TailStyle.Lance ? Scalar.Smooth((i - FinFirst) / 7.0) : Opening(tail, step, i);
+                    double stalk = tail.Style == TailStyle.Lance ? 1 : Stalk(step, i, FinFirst, LongestFin * tail.Size);
+                    double flare = tail.Size * PortableMath.Pow(q, 1.3);
+                    top[i] = Math.Max(0.03, (stalk * top0 * (1 - q)) + (flare * (1 + tail.Lobe)));
+                    bottom[i] = Math.Max(0.03, (stalk * bottom0 * (1 - q)) + (0.95 * flare * (1 - tail.Lobe)));
+                    width[i] = (stalk * width0 * PortableMath.Pow(1 - q, 1.5)) + FinThickness;
                 }
 
                 break;
             case TailStyle.Fluke:
                 for (int i = Start; i < BodyGrid.Rings; i++)
                 {
-                    double q = Scalar.Smooth((i - 46) / 7.0);
-                    double opened = Opened(step, i, FlukeFirst, LongestFluke * tail.Size);
-                    width[i] = (width0 * (1 - q)) + (tail.Size * opened * (1 + (FlukeBend * (1 - opened))));
-                    top[i] = (top0 * PortableMath.Pow(1 - q, 1.3)) + 0.012;
-                    bottom[i] = (bottom0 * PortableMath.Pow(1 - q, 1.3)) + 0.012;
+                    double longest = LongestFluke * tail.Size;
+                    double opened = Opened(step, i, FlukeFirst, longest);
+                    double q = Scalar.Smooth(opened);
+                    double stalk = Stalk(step, i, FlukeFirst, longest);
+                    double flesh = FlukeEdge + (FlukeFlesh * tail.Size * PortableMath.Pow(1 - opened, 0.7) * Scalar.Smooth(2 * opened));
+                    width[i] = (stalk * width0 * (1 - q)) + (tail.Size * opened * (1 + (FlukeBend * (1 - opened))));
+                    top[i] = (stalk * top0 * PortableMath.Pow(1 - q, 1.3)) + flesh;
+                    bottom[i] = (stalk * bottom0 * PortableMath.Pow(1 - q, 1.3)) + flesh;
                 }
 
                 break;
@@ -120,11 +132,12 @@ internal static class TailShaper
         (double width0, double top0, double bottom0) = (width[Start], top[Start], bottom[Start]);
         for (int i = Start; i < BodyGrid.Rings; i++)
         {
-            double q = Scalar.Smooth((i - FinFirst) / 7.0);
-            double flare = tail.Size * PortableMath.Pow(Opening(tail, step, i), form.Spread);
-            top[i] = Math.Max(0.03, (top0 * (1 - q)) + (form.Halves.Upper * flare * (1 + tail.Lobe)));
-            bottom[i] = Math.Max(0.03, (bottom0 * (1 - q)) + (form.Halves.Lower * flare * (1 - tail.Lobe)));
-            width[i] = (width0 * PortableMath.Pow(1 - q, 1.5)) + 0.007;
+            double q = Opening(tail, step, i);
+            double stalk = Stalk(step, i, FinFirst, LongestFin * tail.Size);
+            double flare = tail.Size * PortableMath.Pow(q, form.Spread);
+            top[i] = Math.Max(0.03, (stalk * top0 * (1 - q)) + (form.Halves.Upper * flare * (1 + tail.Lobe)));
+            bottom[i] = Math.Max(0.03, (stalk * bottom0 * (1 - q)) + (form.Halves.Lower * flare * (1 - tail.Lobe)));
+            width[i] = (stalk * width0 * PortableMath.Pow(1 - q, 1.5)) + FinThickness;
         }
     }
 
@@ -133,6 +146,15 @@ internal static class TailShaper
     {
         double longest = LongestFin * tail.Size;
         return Scalar.Smooth(Behind(step, FinFirst) > longest ? Opened(step, ring, FinFirst, longest) : (ring - FinFirst) / 7.0);
+    }
+
+    /// <summary>Thickness of the stalk of a fin at a ring, in that of its root: one that is longer than the fin runs evenly to where that opens, and not to a thread before it.</summary>
+    private static double Stalk(ReadOnlySpan<double> step, int ring, int first, double longest)
+    {
+        double behind = Behind(step, StationRing.TailFirst);
+        double stalk = behind - Math.Min(Behind(step, first), longest);
+        double along = stalk > 0 ? Math.Min(1, (behind - Behind(step, ring)) / stalk) : 1;
+        return 1 - ((1 - StalkEnd) * along * Scalar.Clamp((Behind(step, first) / longest) - 1, 0, 1));
     }
 
     /// <summary>How far a ring is along a fin that ends with the tail, 0 before it to 1 at its end.</summary>

@@ -31,6 +31,11 @@ internal static class MidlineFinGrower
     /// <summary>Height of the edge between two rays of a sail, in that of the rays.</summary>
     private const float Scallop = 0.9f;
 
+    // Where the tip of a shark's fin is over its base, in that of one that is high, by its height in lengths of the base; and how soon the rear edge of a low one is there.
+    private const float Stem = 0.2f;
+    private const float Rake = 1.15f;
+    private const double RunsOut = 1.7;
+
     private static readonly float[] sections = { 0.06f, 0.16f, 0.32f, 0.5f, 0.68f, 0.84f, 0.94f, 1f };
 
     /// <summary>Grows the fin and says where its joints are.</summary>
@@ -72,6 +77,7 @@ internal static class MidlineFinGrower
         float shear = Shear(fin, height, midline, outline);
         int chart = surface.NewChart();
         float length = Vec.Distance(midline[0], midline[rows]);
+        float reach = Math.Min(1f, Stem + (Rake * height / length));
         int[] previous = socket.Vertices;
         float before = 0f;
         foreach (float s in sections)
@@ -86,7 +92,7 @@ internal static class MidlineFinGrower
                 if (fin.Style == FinStyle.Shark || form?.Overhang != null)
                 {
                     // Chord lines instead of columns: the tip overhangs without folding.
-                    (float a, float b) = form?.Overhang is (double Front, double Rear) over ? Veil(over, s) : Shark(s);
+                    (float a, float b) = form?.Overhang is (double Front, double Rear) over ? Veil(over, s) : Shark(s, reach);
                     float ray = form is null ? 1f : outline[r];
                     p = OnMidline(midline, a + ((b - a) * u)) + (meanUp * ((height * ray * s) + (Lift * Scalar.Smooth(s / 0.12f))));
                 }
@@ -143,9 +149,11 @@ internal static class MidlineFinGrower
     }
 
     /// <summary>Where the chord of a shark's fin begins and ends over the base: its front bends over to the rear at the tip, which would be cut off level.</summary>
-    private static (float Front, float Rear) Shark(float s) => (
-        (0.90f * (float)PortableMath.Pow(s, 0.85)) + (0.12f * (float)PortableMath.Pow(s, 6)),
-        1f + (0.08f * s * s) - (0.12f * (float)PortableMath.Sin(PortableMath.Pi * s)) - (0.05f * (float)PortableMath.Pow(s, 6)));
+    /// <param name="s">Share of the height.</param>
+    /// <param name="reach">How far back the tip is, in that of a fin as high as its base is long: behind a low one the rear edge runs out over the base.</param>
+    private static (float Front, float Rear) Shark(float s, float reach) => (
+        reach * ((0.90f * (float)PortableMath.Pow(s, 0.85)) + (0.12f * (float)PortableMath.Pow(s, 6))),
+        1f + (0.08f * s * s) - (0.12f * (float)PortableMath.Sin(PortableMath.Pi * s)) - (0.05f * (float)PortableMath.Pow(s, 6)) - ((1f - reach) * 1.02f * (1f - (float)PortableMath.Pow(1f - s, RunsOut))));
 
     /// <summary>The same of a fin that hangs over the rear of its base.</summary>
     private static (float Front, float Rear) Veil((double Front, double Rear) over, float s) => (

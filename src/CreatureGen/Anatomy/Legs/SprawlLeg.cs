@@ -77,13 +77,13 @@ internal static class SprawlLeg
             Rows = new LegSection[]
             {
                 new() { Forward = 0, Down = 0, Outward = 0, ForeRadius = 1000, SideRadius = 800 },
-                new() { Forward = -80, Down = 20, Outward = 330, ForeRadius = 700, SideRadius = 580 },
-                new() { Forward = -250, Down = 60, Outward = 620, ForeRadius = 460, SideRadius = 390 },
-                new() { Forward = -430, Down = 110, Outward = 850, ForeRadius = 335, SideRadius = 300 },
-                new() { Forward = -590, Down = 165, Outward = 1050, ForeRadius = 295, SideRadius = 275 },
-                new() { Forward = -710, Down = 210, Outward = 1200, ForeRadius = 300, SideRadius = 370 },
-                new() { Forward = -800, Down = 240, Outward = 1300, ForeRadius = 260, SideRadius = 470 },
-                new() { Forward = -880, Down = 265, Outward = 1390, ForeRadius = 230, SideRadius = 520 },
+                new() { Forward = -80, Down = 40, Outward = 330, ForeRadius = 720, SideRadius = 600 },
+                new() { Forward = -250, Down = 110, Outward = 590, ForeRadius = 500, SideRadius = 420 },
+                new() { Forward = -470, Down = 190, Outward = 770, ForeRadius = 370, SideRadius = 330 },
+                new() { Forward = -710, Down = 265, Outward = 880, ForeRadius = 320, SideRadius = 300 },
+                new() { Forward = -920, Down = 320, Outward = 940, ForeRadius = 310, SideRadius = 380 },
+                new() { Forward = -1040, Down = 350, Outward = 990, ForeRadius = 270, SideRadius = 470 },
+                new() { Forward = -1140, Down = 375, Outward = 1040, ForeRadius = 235, SideRadius = 520 },
             },
         },
     };
