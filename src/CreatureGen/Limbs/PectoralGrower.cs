@@ -31,7 +31,7 @@ internal static class PectoralGrower
     private const float Thinnest = 0.12f;
 
     // Rise of the trailing edge for each unit that it lies behind the leading one: of a fin on the flank, turned as in gliding, and of one under the body, which keeps off it. Falling with the axis, a blade on the flank would be a rod from the side.
-    private const float Pronation = 0.45f;
+    private const float Pronation = 0.4f;
     private const float UnderBody = -0.35f;
 
     // How far skin faces down from which on, and over which, a fin is one under the body.

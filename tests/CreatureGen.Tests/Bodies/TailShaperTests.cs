@@ -10,6 +10,7 @@ namespace CreatureGen.Tests.Bodies;
 public sealed class TailShaperTests
 {
     private const double Stalk = 0.05;
+    private const double ThickStalk = 0.2;
     private const double Size = 0.2;
     private const double LongStep = 0.2;
     private const double ShortStep = 0.05;
@@ -28,6 +29,28 @@ public sealed class TailShaperTests
         Assert.Equal(Heights(style, ShortStep)[Last], heights[Last]);
     }
 
+    [Theory]
+    [InlineData(TailStyle.Fan)]
+    [InlineData(TailStyle.Fork)]
+    [InlineData(TailStyle.Lunate)]
+    [InlineData(TailStyle.Fluke)]
+    public void The_stalk_of_a_fin_on_a_long_tail_is_no_thread_before_the_fin_opens(TailStyle style)
+    {
+        double[] heights = Heights(style, LongStep, ThickStalk);
+        for (int ring = StationRing.TailFirst; ring <= Last - 3; ring++)
+        {
+            Assert.True(heights[ring] > 0.5 * ThickStalk, FormattableString.Invariant($"{heights[ring] / ThickStalk:0.00} of its root at ring {ring}"));
+            Assert.True(heights[ring] <= heights[StationRing.TailFirst]);
+        }
+    }
+
+    [Fact]
+    public void A_fluke_is_a_lens_from_the_side_and_thin_at_its_edge()
+    {
+        double[] heights = Heights(TailStyle.Fluke, ShortStep / 2, ThickStalk / 8);
+        Assert.True(heights[Last - 2] > 1.5 * heights[Last], FormattableString.Invariant($"{heights[Last - 2]} m before {heights[Last]} m"));
+    }
+
     [Fact]
     public void A_lance_takes_all_of_its_tail_however_long_that_is() =>
         Assert.Equal(Heights(TailStyle.Lance, ShortStep), Heights(TailStyle.Lance, LongStep));
@@ -41,9 +64,9 @@ public sealed class TailShaperTests
     }
 
     /// <summary>Heights above the spine of a tail with an even stalk, metres.</summary>
-    private static double[] Heights(TailStyle style, double step)
+    private static double[] Heights(TailStyle style, double step, double stalk = Stalk)
     {
-        double[] top = Enumerable.Repeat(Stalk, BodyGrid.Rings).ToArray();
+        double[] top = Enumerable.Repeat(stalk, BodyGrid.Rings).ToArray();
         TailShaper.Shape(new TailBlueprint(style, Size, 0), Enumerable.Repeat(step, BodyGrid.Rings).ToArray(), top.ToArray(), top, top.ToArray());
         return top;
     }

@@ -14,6 +14,9 @@ public sealed class PectoralGrowerTests
     /// <summary>Least part of their skin that paired fins show from the side, in the mean of many swimmers; round rods would show more, blades seen on their edges show .23 to .25.</summary>
     private const double Shown = 0.27;
 
+    /// <summary>The same from behind and from the front (.30 where they are turned as far as the eye looks down on them).</summary>
+    private const double ShownAhead = 0.35;
+
     /// <summary>Most that the end of a paired fin is high, in lengths of the fin: sawn-off ones are .044.</summary>
     private const double Thickest = 0.03;
 
@@ -24,10 +27,23 @@ public sealed class PectoralGrowerTests
     {
         double[] shown = Enumerable.Range(10310001, 24)
             .Select(seed => CreatureGenerator.Generate((ulong)seed, CreatureOptions.Default with { Kind = RequestedKind.Swimming, Strangeness = strangeness }))
-            .SelectMany(creature => creature.Limbs.Where(limb => limb.Kind == LimbKind.Pectoral).Select(limb => SideOf(creature.Mesh, limb)))
+            .SelectMany(creature => creature.Limbs.Where(limb => limb.Kind == LimbKind.Pectoral).Select(limb => Facing(creature.Mesh, limb, Vector3.UnitX)))
             .ToArray();
         Assert.True(shown.Length > 30);
         Assert.True(shown.Average() > Shown, FormattableString.Invariant($"{shown.Average():0.000}"));
+    }
+
+    [Theory]
+    [InlineData(0.6)]
+    [InlineData(1)]
+    public void Paired_fins_on_the_flank_are_blades_from_behind_and_not_rods(double strangeness)
+    {
+        double[] shown = Enumerable.Range(10310001, 24)
+            .Select(seed => CreatureGenerator.Generate((ulong)seed, CreatureOptions.Default with { Kind = RequestedKind.Swimming, Strangeness = strangeness }))
+            .SelectMany(creature => creature.Limbs.Where(limb => limb.Kind == LimbKind.Pectoral).Select(limb => Facing(creature.Mesh, limb, Vector3.UnitZ)))
+            .ToArray();
+        Assert.True(shown.Length > 30);
+        Assert.True(shown.Average() > ShownAhead, FormattableString.Invariant($"{shown.Average():0.000}"));
     }
 
     [Fact]
@@ -55,8 +71,8 @@ public sealed class PectoralGrowerTests
     private static Vector3[] SkinOf(CreatureMesh mesh, LimbChain limb) =>
         [.. Enumerable.Range(0, mesh.Positions.Length).Where(v => limb.Joints.Contains(mesh.Weights[v].Joint0)).Select(v => mesh.Positions[v])];
 
-    /// <summary>The part of a limb's skin that faces the sides.</summary>
-    private static double SideOf(CreatureMesh mesh, LimbChain limb)
+    /// <summary>The part of a limb's skin that faces along an axis, either way.</summary>
+    private static double Facing(CreatureMesh mesh, LimbChain limb, Vector3 axis)
     {
         double area = 0;
         double side = 0;
@@ -67,7 +83,7 @@ public sealed class PectoralGrowerTests
                 Vector3 a = mesh.Positions[mesh.Triangles[t]];
                 Vector3 cross = Vector3.Cross(mesh.Positions[mesh.Triangles[t + 1]] - a, mesh.Positions[mesh.Triangles[t + 2]] - a);
                 area += cross.Length();
-                side += Math.Abs(cross.X);
+                side += Math.Abs(Vector3.Dot(cross, axis));
             }
         }
 

@@ -35,6 +35,9 @@ public sealed class TailFitTests
     /// <summary>The same of a swimmer's with flukes (the least tenth is below .005 without the rule).</summary>
     private const double LeastSunk = 0.08;
 
+    /// <summary>Least tail of a swimmer that is driven by it, in trunks: what the lattice leaves of the rule's .5 (.16 without).</summary>
+    private const double LeastDriven = 0.4;
+
     private static readonly ValueList<LatticeSlice> even = new(Enumerable.Repeat(new LatticeSlice(1, 1, 1), 11));
 
     [Fact]
@@ -295,6 +298,25 @@ public sealed class TailFitTests
         // Those that would reach the ground are raised again.
         Assert.InRange(tails, 20, Count);
         Assert.True(10 * level <= tails, FormattableString.Invariant($"{level} of {tails} tails do not come down"));
+    }
+
+    [Fact]
+    public void Nineteen_of_twenty_swimmers_that_are_driven_by_their_tails_do_not_end_in_a_wall_with_a_fin_on_it()
+    {
+        int driven = 0;
+        int walls = 0;
+        foreach ((CreatureBlueprint creature, BodyShape shape) in DrawnShapes.Of(RequestedKind.Swimming, 0.6, 13660001, Count))
+        {
+            if (creature.Plan is BodyPlan.Fish or BodyPlan.Whale or BodyPlan.Eel && creature.Body.Disc.Sweep == 0)
+            {
+                double tail = (shape.Arc[StationRing.TailTip] - shape.Arc[StationRing.TorsoLast]) / (shape.Arc[StationRing.TorsoLast] - shape.Arc[StationRing.TrunkFirst]);
+                walls += tail > LeastDriven ? 0 : 1;
+                driven++;
+            }
+        }
+
+        Assert.InRange(driven, 20, Count);
+        Assert.True(20 * walls <= driven, FormattableString.Invariant($"{walls} of {driven} end in a wall"));
     }
 
     [Fact]

@@ -47,6 +47,23 @@ public sealed class TrunkFitTests
     private const double Broadest = 2;
     private const double Deepest = 1.7;
 
+    /// <summary>Mean breadth of mixed fish, and of what is mixed and swims by winding, in their depths (1.01 and 1.29 without the rule).</summary>
+    private const double BroadFish = 0.9;
+    private const double BroadWinding = 1.25;
+
+    [Theory]
+    [InlineData(BodyPlan.Fish, BroadFish)]
+    [InlineData(BodyPlan.Eel, BroadWinding)]
+    public void Mixed_fish_are_deeper_than_broad_and_no_balls_from_behind(BodyPlan plan, double broadest)
+    {
+        double[] breadths = DrawnShapes.Of(RequestedKind.Swimming, 1, 11200001, 200)
+            .Where(drawn => drawn.Creature.Plan == plan && drawn.Creature.Body.Disc.Sweep == 0)
+            .Select(drawn => TrunkOutline.Of(drawn.Shape).Breadth)
+            .ToArray();
+        Assert.True(breadths.Length > 20);
+        Assert.True(breadths.Average() < broadest, FormattableString.Invariant($"{breadths.Average():0.00} of {breadths.Length}"));
+    }
+
     [Fact]
     public void No_mixed_swimmer_is_a_plank_or_has_a_corner_for_a_shoulder()
     {

@@ -5,8 +5,8 @@ internal static class TunaFin
 {
     /// <summary>Its outline on the flank.</summary>
     public static readonly FlankFin Flank = new(
-        new[] { -0.09, -0.05, 0, 0.08, 0.19, 0.29, 0.37, 0.42 },
-        new[] { 0.14, 0.16, 0.18, 0.23, 0.3, 0.37, 0.41, 0.43 });
+        new[] { -0.12, -0.09, -0.04, 0.05, 0.19, 0.29, 0.37, 0.42 },
+        new[] { 0.17, 0.22, 0.26, 0.32, 0.38, 0.42, 0.44, 0.45 });
 
     /// <summary>Its outline on the midline.</summary>
     public static readonly MidlineFin Midline = new(

@@ -77,13 +77,13 @@ internal static class SprawlLeg
             Rows = new LegSection[]
             {
                 new() { Forward = 0, Down = 0, Outward = 0, ForeRadius = 1000, SideRadius = 800 },
-                new() { Forward = -80, Down = 40, Outward = 330, ForeRadius = 720, SideRadius = 600 },
-                new() { Forward = -250, Down = 110, Outward = 590, ForeRadius = 500, SideRadius = 420 },
-                new() { Forward = -470, Down = 190, Outward = 770, ForeRadius = 370, SideRadius = 330 },
-                new() { Forward = -710, Down = 265, Outward = 880, ForeRadius = 320, SideRadius = 300 },
-                new() { Forward = -920, Down = 320, Outward = 940, ForeRadius = 310, SideRadius = 380 },
-                new() { Forward = -1040, Down = 350, Outward = 990, ForeRadius = 270, SideRadius = 470 },
-                new() { Forward = -1140, Down = 375, Outward = 1040, ForeRadius = 235, SideRadius = 520 },
+                new() { Forward = -80, Down = 50, Outward = 330, ForeRadius = 720, SideRadius = 600 },
+                new() { Forward = -250, Down = 130, Outward = 570, ForeRadius = 500, SideRadius = 420 },
+                new() { Forward = -470, Down = 220, Outward = 710, ForeRadius = 370, SideRadius = 330 },
+                new() { Forward = -710, Down = 300, Outward = 785, ForeRadius = 320, SideRadius = 300 },
+                new() { Forward = -920, Down = 350, Outward = 820, ForeRadius = 310, SideRadius = 380 },
+                new() { Forward = -1040, Down = 380, Outward = 845, ForeRadius = 270, SideRadius = 470 },
+                new() { Forward = -1140, Down = 405, Outward = 870, ForeRadius = 235, SideRadius = 520 },
             },
         },
     };

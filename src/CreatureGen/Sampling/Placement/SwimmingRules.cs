@@ -13,8 +13,8 @@ internal static class SwimmingRules
     /// <summary>First ring that a fin on the midline may cover: the base of the neck lies before it.</summary>
     public const int MidlineFirstRing = StationRing.NeckBase;
 
-    /// <summary>Last ring that a fin on the midline may cover: the tail fin lies behind it.</summary>
-    public const int MidlineLastRing = 47;
+    /// <summary>Last ring that a fin on the midline may cover: behind it the back falls to the tail, and a fin would end in a wall there.</summary>
+    public const int MidlineLastRing = StationRing.TailBase;
 
     private const int MinRows = 4;
     private const int MaxRows = 22;

@@ -41,6 +41,7 @@ internal static class BodySampler
         builder.Slices = TailFit.RunOut(builder);
         builder.Slices = TrunkFit.Gather(builder);
         builder.Slices = FaceFit.Round(builder);
+        builder.Proportions = TailFit.Drive(builder);
         builder.Proportions = TrunkFit.Fit(builder);
         builder.Proportions = HeadFit.Fit(builder);
         builder.Proportions = FaceFit.Lengthen(builder);

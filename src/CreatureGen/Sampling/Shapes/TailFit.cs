@@ -83,6 +83,10 @@ internal static class TailFit
     private const double LeastOfFamily = 0.5;
     private const double MostLonger = 2.4;
 
+    // The same of a swimmer that is driven by its tail, and longest factor on a tail that it asks for: on a short one the trunk ends in a wall with a fin on it.
+    private const double LeastDriven = 0.5;
+    private const double LongestDriven = 3.6;
+
     /// <summary>Least girth that is left of a tail.</summary>
     private const double MinGirth = 0.5;
 
@@ -129,8 +133,7 @@ internal static class TailFit
         double root = Largest(shape, StationRing.TailStem, StationRing.TailStem) / Largest(shape, StationRing.Pelvis, StationRing.Pelvis);
         double excess = Math.Max(1, Math.Max(size / Size, root / largest));
         double strange = builder.Fitting;
-        double trunk = shape.Arc[StationRing.TorsoLast] - shape.Arc[StationRing.TrunkFirst];
-        double length = (shape.Arc[LastOfTail] - shape.Arc[StationRing.TorsoLast]) / trunk;
+        double length = LengthOf(shape);
         TailTaper? taper = TailTaper.Of(builder.Tail.Style);
         bool rolls = taper is { Curl: not 0 };
         bool steers = builder.Plan is BodyPlan.Flapping or BodyPlan.Theropod && builder.Tail.Style is TailStyle.Plain or TailStyle.Saurian
@@ -146,6 +149,19 @@ internal static class TailFit
             Tail = drawn.Tail * PortableMath.Pow(longer / Math.Max(1, length / (rolls ? Carried : Trailing)), strange),
             TailGirth = drawn.TailGirth * Math.Max(MinGirth, PortableMath.Pow(excess * PortableMath.Pow(stubby, Slimmed), -strange)),
         };
+    }
+
+    /// <summary>The proportions with a longer tail of a swimmer that is driven by it, before its trunk is fitted to the length that is left to it.</summary>
+    public static BodyProportions Drive(CreatureBuilder builder)
+    {
+        BodyProportions drawn = builder.Proportions;
+        if (builder.Plan is not (BodyPlan.Fish or BodyPlan.Whale or BodyPlan.Eel) || builder.Species.Disc.Sweep != 0)
+        {
+            return drawn;
+        }
+
+        double lacks = PortableMath.Pow(Math.Max(1, LeastDriven / LengthOf(StanceSampler.ShapeOf(builder))), builder.Fitting);
+        return drawn with { Tail = Math.Max(drawn.Tail, Math.Min(LongestDriven, drawn.Tail * lacks)) };
     }
 
     /// <summary>The posture with a fan of feathers that falls away from the rump, for level with the eye behind it a fan is a pair of lips, with an abdomen that does not turn down at its end, and with a bare tail that falls from the croup and bends out again: a level one points at who is behind it, and is a peg.</summary>
@@ -216,6 +232,10 @@ internal static class TailFit
             builder.Drawn = builder.Drawn with { Tail = builder.Drawn.Tail + lacks };
         }
     }
+
+    /// <summary>Length of the tail against the trunk.</summary>
+    private static double LengthOf(BodyShape shape) =>
+        (shape.Arc[LastOfTail] - shape.Arc[StationRing.TorsoLast]) / (shape.Arc[StationRing.TorsoLast] - shape.Arc[StationRing.TrunkFirst]);
 
     /// <summary>How far the tail comes down from the rump, radians.</summary>
     private static double Fall(CreatureBuilder builder)

@@ -89,8 +89,14 @@ internal static class TrunkFit
     private const double FlatDeepened = 0.4;
     private const double FlatNarrowed = 0.25;
 
+    // The same of a fish, and of what swims by winding: round ones are balls from behind. The depth and the breadth of a fish give way by these parts.
+    private const double FlattestFish = 0.82;
+    private const double FlattestWinding = 0.95;
+    private const double FishDeepened = 0.1;
+    private const double FishNarrowed = 0.7;
+
     // A swimmer's largest hips against its belly, the power of what they give way by for it that the belly follows by, for it would end in a corner before them, least and most of its tail's stem against its hips and belly, and most that the tail's girth changes by for it.
-    private const double Hips = 0.6;
+    private const double Hips = 0.57;
     private const double BellyFollows = 0.5;
     private const double Root = 0.5;
     private const double Stem = 0.42;
@@ -214,7 +220,14 @@ internal static class TrunkFit
         double step = Math.Min(MostThroat, Math.Max(1, Throat(shape) / SteepestThroat));
         double corner = Scalar.Clamp(shape.Top[StationRing.NeckBase] / shape.Top[BehindShoulder], 1, MostRisen);
         double edge = builder.Species.Class == AnimalClass.Fish ? 1 : Math.Max(1, Narrowness(shape) / Edgewise);
-        double flat = builder.Species.Disc.Sweep != 0 || builder.Shell.Style != ShellStyle.None ? 1 : Math.Max(1, outline.Breadth / Flattest);
+        bool armoured = builder.Species.Disc.Sweep != 0 || builder.Shell.Style != ShellStyle.None;
+        (double flattest, double deepened, double narrowed) = builder.Plan switch
+        {
+            BodyPlan.Fish => (FlattestFish, FishDeepened, FishNarrowed),
+            BodyPlan.Eel => (FlattestWinding, FishDeepened, FishNarrowed),
+            _ => (Flattest, FlatDeepened, FlatNarrowed),
+        };
+        double flat = armoured ? 1 : Math.Max(1, outline.Breadth / flattest);
         double belly = Size(shape, StationRing.Belly);
         double hips = Size(shape, StationRing.Pelvis);
         double thin = Math.Min(1, Hips * belly / hips);
@@ -223,8 +236,8 @@ internal static class TrunkFit
         double strange = builder.Fitting;
         return drawn with
         {
-            Depth = drawn.Depth * PortableMath.Pow(deep, -Shallower * strange) * PortableMath.Pow(edge, -EdgeShallower * strange) * PortableMath.Pow(flat, FlatDeepened * strange),
-            Width = drawn.Width * PortableMath.Pow(edge, EdgeBroader * strange) * PortableMath.Pow(flat, -FlatNarrowed * strange),
+            Depth = drawn.Depth * PortableMath.Pow(deep, -Shallower * strange) * PortableMath.Pow(edge, -EdgeShallower * strange) * PortableMath.Pow(flat, deepened * strange),
+            Width = drawn.Width * PortableMath.Pow(edge, EdgeBroader * strange) * PortableMath.Pow(flat, -narrowed * strange),
             Hump = drawn.Hump * PortableMath.Pow(corner, ShoulderRises * strange),
             Girth = drawn.Girth * PortableMath.Pow(deep, (Shallower - 1) * strange) * PortableMath.Pow(step, -BellyGives * strange),
             Chest = drawn.Chest * PortableMath.Pow(step, -ChestGives * strange),

@@ -44,7 +44,7 @@ internal static class Swordfish
             {
                 new FinSitePreset(FinPlace.Dorsal, FinStyle.Shark, 22, 0, 8, (0.22, 0.34), (0, 0), 0, 0.8),
                 new FinSitePreset(FinPlace.Ventral, FinStyle.Shark, 40, 0, 4, (0.09, 0.13), (0, 0), 0, 0.9),
-                new FinSitePreset(FinPlace.Pectoral, FinStyle.Tuna, 23, 11, 4, (0.3, 0.4), (0.26, 0.32), 0.6, 0.7),
+                new FinSitePreset(FinPlace.Pectoral, FinStyle.Tuna, 23, 11, 4, (0.3, 0.4), (0.34, 0.42), 0.6, 0.7),
             },
             Tail = TailStyle.Lunate, TailSize = (0.28, 0.34),
         },

@@ -21,6 +21,9 @@ public sealed class SwimLegTests
     private const int Hip = 1;
     private const int Frames = 60;
 
+    /// <summary>Farthest that the tip of a leg lies out from its hip as it is grown, in the distance between both (.8 of a straight one).</summary>
+    private const double FarthestOut = 0.66;
+
     private static readonly Lazy<Creature[]> legged = new(() =>
         new[] { "newt", "crocodile" }.SelectMany(body => Enumerable.Range(0, Thoroughness.IsExhaustive ? 12 : 2).Select(seed => SpeciesSubject.Of(body, RequestedKind.Swimming, (ulong)seed))).ToArray());
 
@@ -39,6 +42,21 @@ public sealed class SwimLegTests
             }));
             Assert.True(worst < Degrees(58), FormattableString.Invariant($"{Name(creature)}: {worst / Degrees(1)} degrees from straight back at worst"));
             Assert.True(mean < Degrees(36), FormattableString.Invariant($"{Name(creature)}: {mean / Degrees(1)} degrees from straight back in the mean"));
+        }
+    }
+
+    [Fact]
+    public void As_it_is_grown_a_leg_in_the_water_bends_back_at_its_elbow_and_is_no_rod_out_to_the_side()
+    {
+        foreach (Creature creature in legged.Value)
+        {
+            Each(creature, limb =>
+            {
+                Vector3 hip = creature.Skeleton.ModelPositions[limb.Joints[Hip]];
+                Vector3 tip = creature.Skeleton.ModelPositions[limb.Joints[^1]];
+                double outward = Math.Abs(tip.X - hip.X) / Vec.Length(tip - hip);
+                Assert.True(outward < FarthestOut, FormattableString.Invariant($"{Name(creature)}: {outward:0.00} of its reach is out to the side"));
+            });
         }
     }
 
