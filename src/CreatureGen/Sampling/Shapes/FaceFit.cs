@@ -35,10 +35,6 @@ internal static class FaceFit
     private const double Rounded = 0.75;
     private const double MostRounded = 1.9;
 
-    // Broadest muzzle of a swimmer in its brow, and most that it is narrowed by: nearer to who is ahead of it than the brow, a broader one hides the face and is the foot of a bottle.
-    private const double BroadestMuzzle = 0.62;
-    private const double MostNarrowed = 1.4;
-
     /// <summary>The posture with a face that looks ahead: neither down into the water or the ground nor up.</summary>
     public static BodyPosture Level(CreatureBuilder builder)
     {
@@ -90,7 +86,7 @@ internal static class FaceFit
         return drawn with { Snout = drawn.Snout * PortableMath.Pow(Scalar.Clamp(Shortest / length, 1, MostLonger), builder.Fitting) };
     }
 
-    /// <summary>The slices with a higher and narrower head where that of another body is flat, and with a narrower muzzle where a swimmer's is broad.</summary>
+    /// <summary>The slices with a higher and narrower head where that of another body is flat.</summary>
     public static ValueList<LatticeSlice> Round(CreatureBuilder builder)
     {
         if (!IsFitted(builder))
@@ -100,16 +96,12 @@ internal static class FaceFit
 
         BodyShape shape = StanceSampler.ShapeOf(builder);
         double flat = 2 * shape.Width[StationRing.Brow] / (shape.Top[StationRing.Brow] + shape.Bottom[StationRing.Brow]);
-        double broad = shape.Width[StationRing.MuzzleMiddle] / shape.Width[StationRing.Brow] / BroadestMuzzle;
-        double narrow = builder.Kind == LocomotionKind.Swimming ? PortableMath.Pow(Scalar.Clamp(broad, 1, MostNarrowed), builder.Fitting) : 1;
         double round = PortableMath.Pow(Scalar.Clamp(flat / Flattest, 1, MostRounded), Rounded * builder.Fitting);
         LatticeSlice[] slices = builder.Slices.ToArray();
         for (int k = 0; k < HeadSlices; k++)
         {
             slices[k] = slices[k] with { Width = slices[k].Width / round, Height = slices[k].Height * round };
         }
-
-        slices[0] = slices[0] with { Width = slices[0].Width / narrow };
 
         return new ValueList<LatticeSlice>(slices);
     }
