@@ -21,6 +21,18 @@ public sealed class PaddlingLegsTests
     }
 
     [Fact]
+    public void No_paired_fins_grow_under_legs_that_are_laid_back_over_them()
+    {
+        CreatureBlueprint[] legged = Enumerable.Range(10710001, 400)
+            .Select(seed => BlueprintSampler.Sample((ulong)seed, CreatureOptions.Default with { Kind = RequestedKind.Swimming }))
+            .Where(creature => creature.Legs.Count > 0)
+            .ToArray();
+        Assert.InRange(legged.Length, 20, 400);
+        Assert.DoesNotContain(legged, creature => creature.Fins.Any(fin => fin.Place == FinPlace.Pectoral
+            && creature.Legs.Any(leg => fin.Socket.Ring > leg.Socket.Ring && fin.Socket.Ring < leg.Socket.Ring + 10)));
+    }
+
+    [Fact]
     public void Who_asks_for_two_pairs_of_legs_gets_the_hind_ones_as_well()
     {
         CreatureBlueprint[] legged = Driven(CreatureOptions.Default with { Kind = RequestedKind.Swimming, MinLegPairs = 2 });

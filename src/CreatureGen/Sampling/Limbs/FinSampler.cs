@@ -41,6 +41,9 @@ internal static class FinSampler
     /// <summary>First segment of sockets so far under the belly that a flat fin would go into the flank above it.</summary>
     private const int UnderBelly = 11;
 
+    /// <summary>Rings behind a leg's socket over which the leg lies in the water.</summary>
+    private const int UnderLegs = 13;
+
     /// <summary>Fills in the fins and the tail fin of the creature.</summary>
     public static void Sample(CreatureBuilder builder)
     {
@@ -82,7 +85,7 @@ internal static class FinSampler
         double sweep = random.Uniform(0.4, 0.8);
         foreach (FinPlacement fin in placement.Fins)
         {
-            if (!builder.Sockets.TryReserve(fin.Socket, 0))
+            if ((fin.Place == FinPlace.Pectoral && IsBehindLeg(builder, fin.Socket)) || !builder.Sockets.TryReserve(fin.Socket, 0))
             {
                 continue;
             }
@@ -150,6 +153,10 @@ internal static class FinSampler
         builder.Plan = pairs >= need ? builder.Plan : pairs > 0 ? BodyPlan.Fish : BodyPlan.Eel;
     }
 
+    /// <summary>Whether a place for a fin is close behind a leg, which lies back over it in the water.</summary>
+    private static bool IsBehindLeg(CreatureBuilder builder, SocketBlueprint socket) =>
+        builder.Legs.Exists(leg => leg.Socket.Ring < socket.Ring && socket.Ring - leg.Socket.Ring < UnderLegs);
+
     /// <summary>The fins that a species always has.</summary>
     private static void Own(CreatureBuilder builder, RandomStream random, FinPreset preset)
     {
@@ -165,7 +172,7 @@ internal static class FinSampler
             };
 
             // Fins of one species and legs of another may want the same place: the legs were first.
-            bool crowded = builder.Legs.Count > 0 && !builder.Sockets.IsFree(socket, 0);
+            bool crowded = builder.Legs.Count > 0 && (!builder.Sockets.IsFree(socket, 0) || (fin.Place == FinPlace.Pectoral && IsBehindLeg(builder, socket)));
             if (!crowded && builder.Sockets.TryReserve(socket, 0))
             {
                 builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, socket, length, fin.Place == FinPlace.Pectoral ? width : 0, DropOf(builder, fin.Drop, fin.Sweep, fin.Style, socket), fin.Sweep));
