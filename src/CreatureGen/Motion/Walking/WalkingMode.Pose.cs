@@ -100,5 +100,5 @@ internal sealed partial class WalkingMode
     }
 
     private GaitNumbers Numbers(float dt, in MotionSettings settings, BodyLayer? layer) =>
-        new(clock.Duty, clock.Shape.Lift * settings.Walking.Lift * (1f + (layer?.Verve ?? 0f)), clock.Shape.ForceDip, activity, activity * clock.Length * FootRoll.Going(velocity.Speed, settings.Gravity * body.LegLength), clock.Cycle, dt);
+        new(clock.Duty, clock.Shape.Lift * settings.Walking.Lift * (1f + (layer?.Verve ?? 0f)), clock.Shape.ForceDip, activity, activity * clock.Length * FootRoll.Going(velocity.Speed, settings.Gravity * body.LegLength), clock.Cycle, clock.Swing, dt);
 }

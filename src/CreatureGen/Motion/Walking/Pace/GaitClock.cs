@@ -117,6 +117,9 @@ internal sealed class GaitClock
     /// <summary>Seconds of a cycle, 10 at most.</summary>
     public float Cycle => 1f / Math.Max(Frequency, SlowestShown);
 
+    /// <summary>Seconds of a swing by that tempo.</summary>
+    public float Swing => (1f - Duty) / Math.Max(Tempo, SlowestShown);
+
     /// <summary>How long steps are, of those that go straight ahead on level ground at the same speed, 0..1: in a turn and on slopes they come quicker, and are shorter for it.</summary>
     public float Length { get; private set; } = 1f;
 
@@ -130,7 +133,7 @@ internal sealed class GaitClock
     /// <param name="gravity">Metres of the model per second squared.</param>
     public float TrailIn(float gravity)
     {
-        float swing = (1f - Duty) / Math.Max(Tempo, SlowestShown) * (float)Math.Sqrt(gravity / body.LegLength);
+        float swing = Swing * (float)Math.Sqrt(gravity / body.LegLength);
         return Shape.Trail * Scalar.Smooth((swing - HurriedSwing) / (UnhurriedSwing - HurriedSwing));
     }
 

@@ -72,8 +72,8 @@ internal static class FootRoll
 
     /// <summary>What a foot does at its place in the cycle.</summary>
     public static FootPosture At(in Foot foot, LegRig leg, in GaitNumbers gait) => new(
-        Pitch(foot, leg, gait.Duty, gait.Cycle) * gait.Roll,
-        leg.Traits.Linkage == LegLinkage.Pantograph ? Fold(foot, leg.Traits, (1f - gait.Duty) * gait.Cycle) * gait.Roll : 0f,
+        Pitch(foot, leg, gait.Duty, gait.Cycle, gait.Swing) * gait.Roll,
+        leg.Traits.Linkage == LegLinkage.Pantograph ? Fold(foot, leg.Traits, gait.Swing) * gait.Roll : 0f,
         foot.Phase == FootPhase.Swing ? 0f : Load(Math.Min(foot.Stance, 1f), gait.ForceDip, gait.Activity));
 
     /// <summary>Load of a foot in its stance, parts of its mean over the middle: sin πs + dip · sin 3πs of one that goes; one that stands has its share, which it takes on and gives up softly as soon as it steps.</summary>
@@ -92,7 +92,8 @@ internal static class FootRoll
     /// <param name="leg">Its build.</param>
     /// <param name="duty">Part of the cycle that it is down.</param>
     /// <param name="cycle">Seconds of the cycle.</param>
-    public static float Pitch(in Foot foot, LegRig leg, float duty, float cycle)
+    /// <param name="swing">Seconds of a swing.</param>
+    public static float Pitch(in Foot foot, LegRig leg, float duty, float cycle, float swing)
     {
         LegGaitParameters traits = leg.Traits;
         float rising = Scalar.Clamp(RiseOfCycle / Math.Max(duty, 0.1f), ShortestRise, leg.FlatFoot && !leg.Lateral ? LongestFlatRise : LongestRise);
@@ -107,7 +108,7 @@ internal static class FootRoll
         }
 
         float u = foot.Swing;
-        float peak = Math.Min(traits.SwingPitch * leg.RollFraction, strike + (FastestRoll * Levelling * (1f - duty) * cycle / SmoothSlope));
+        float peak = Math.Min(traits.SwingPitch * leg.RollFraction, strike + (FastestRoll * Levelling * swing / SmoothSlope));
         if (u >= PeakAt)
         {
             return peak + ((strike - peak) * Scalar.Smooth((u - PeakAt) / Levelling));

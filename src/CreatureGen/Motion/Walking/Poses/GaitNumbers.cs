@@ -7,5 +7,6 @@ namespace CreatureGen.Motion.Walking.Poses;
 /// <param name="Activity">0 stands, 1 walks.</param>
 /// <param name="Roll">How far feet roll and fold, 0..1: less in short steps.</param>
 /// <param name="Cycle">Seconds of the cycle.</param>
+/// <param name="Swing">Seconds of a swing by the tempo that the body keeps: the cycle becomes another at once where a gait does.</param>
 /// <param name="Step">Seconds since the last pose.</param>
-internal readonly record struct GaitNumbers(float Duty, float Lift, float ForceDip, float Activity, float Roll, float Cycle, float Step);
+internal readonly record struct GaitNumbers(float Duty, float Lift, float ForceDip, float Activity, float Roll, float Cycle, float Swing, float Step);
