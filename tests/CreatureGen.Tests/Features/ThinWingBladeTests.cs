@@ -8,6 +8,18 @@ namespace CreatureGen.Tests.Features;
 public sealed class ThinWingBladeTests
 {
     [Theory]
+    [InlineData(12, 14, 0.4f)]
+    [InlineData(-6, 36, 0.35f)]
+    [InlineData(-16, 10, 0.6f)]
+    [InlineData(-36, 26, 0.6f)]
+    public void The_near_one_of_spread_wings_shows_its_blade_to_who_looks_from_the_front_left_and_above(double azimuth, double elevation, float least)
+    {
+        Vector3 along = Direction(azimuth, elevation);
+        Vector3 face = Vector3.Cross(along, ThinWingBlade.Trailing(along));
+        Assert.InRange(Vector3.Dot(face, Direction(52, 14)), least, 1f);
+    }
+
+    [Theory]
     [InlineData(0, 0)]
     [InlineData(12, 14)]
     [InlineData(-6, 36)]
@@ -37,7 +49,7 @@ public sealed class ThinWingBladeTests
     [Fact]
     public void A_level_wing_is_raised_at_rest_by_what_its_edge_rises_more_than_in_flight()
     {
-        Assert.Equal(Math.Atan(0.6) - Math.Atan(0.22), ThinWingBlade.RestIncidence(Vector3.UnitX), 1e-6);
+        Assert.Equal(Math.Atan(0.85) - Math.Atan(0.22), ThinWingBlade.RestIncidence(Vector3.UnitX), 1e-6);
     }
 
     [Fact]

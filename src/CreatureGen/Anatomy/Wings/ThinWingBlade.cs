@@ -7,8 +7,8 @@ namespace CreatureGen.Anatomy.Wings;
 /// <summary>How the blade of a thin wing lies about its axis.</summary>
 internal static class ThinWingBlade
 {
-    /// <summary>Rise of the rear edge of a spread wing at rest and as it flies, for each 1 that it goes back: at rest it is raised so far that the wing is no line from the front.</summary>
-    private const float RestRise = 0.6f;
+    /// <summary>Rise of the rear edge of a spread wing at rest and as it flies, for each 1 that it goes back: at rest it is raised so far that the wing is no line from the front or from behind, nor the near one in three-quarter view.</summary>
+    private const float RestRise = 0.85f;
     private const float FlownRise = 0.22f;
 
     /// <summary>The same of a wing that is laid back over the body: towards the midline and down.</summary>
@@ -19,11 +19,8 @@ internal static class ThinWingBlade
     public static Vector3 Trailing(Vector3 along)
     {
         double azimuth = PortableMath.Atan2(along.Z, along.X);
-
-        // Swept back, a raised wing would be a line from the side.
-        float swept = Scalar.Smooth(((float)-azimuth - 0.1f) / 0.5f);
         float laid = Scalar.Smooth(((float)-azimuth - 0.6f) / 0.5f);
-        return Trailing(along, azimuth, Scalar.Lerp(Scalar.Lerp(RestRise, FlownRise, swept), LaidRise, laid));
+        return Trailing(along, azimuth, Scalar.Lerp(RestRise, LaidRise, laid));
     }
 
     /// <summary>By how much the rear edge of a left wing is raised higher at rest than it is in flight, about the axis, radians.</summary>
