@@ -33,6 +33,10 @@ internal static class NeckSampler
     /// <summary>Places along a collar that are held against the ground.</summary>
     private const int FrillSteps = 12;
 
+    // Least tilt of a collar in the water, radians, and its length there in that on land.
+    private const double LaidBackTilt = 0.7;
+    private const double LaidBackLength = 0.85;
+
     /// <summary>Half the width of a head relative to half its height beyond which a collar grows no further: on rays it would be larger than the body.</summary>
     private const double WidestCollared = 1.4;
 
@@ -96,11 +100,18 @@ internal static class NeckSampler
         }
     }
 
-    /// <summary>Adds a collar; <paramref name="size"/> 0..1 goes from its least length to its most.</summary>
+    /// <summary>Adds a collar; <paramref name="size"/> 0..1 goes from its least length to its most. The edge of a disc would cut through it, and in the water it is laid back.</summary>
     public static void Add(CreatureBuilder builder, in FrillPreset preset, double size)
     {
+        if (builder.Species.Disc.Sweep != 0)
+        {
+            return;
+        }
+
+        bool swims = builder.Kind == LocomotionKind.Swimming;
+        FrillBlueprint frill = swims ? preset.Frill with { Tilt = Math.Max(preset.Frill.Tilt, LaidBackTilt), Length = LaidBackLength * preset.Frill.Length } : preset.Frill;
         double unit = Math.Min(builder.Shape.Width[StationRing.Cranium], WidestCollared * builder.HalfDepth(StationRing.Cranium));
-        builder.Frills.Add(OffGround(builder, preset.Frill with { Length = preset.Frill.Length * Scalar.Lerp(preset.Min, preset.Max, size) * unit, Thickness = preset.Frill.Thickness * unit }));
+        builder.Frills.Add(OffGround(builder, frill with { Length = frill.Length * Scalar.Lerp(preset.Min, preset.Max, size) * unit, Thickness = frill.Thickness * unit }));
     }
 
     /// <summary>Hair of what stands, shortened until what hangs from its tail or its throat clears the ground.</summary>
