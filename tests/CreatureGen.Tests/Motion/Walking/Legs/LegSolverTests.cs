@@ -170,30 +170,49 @@ public sealed class LegSolverTests
     }
 
     [Fact]
-    public void A_foot_in_the_air_that_passes_under_its_hip_is_led_past_it_on_the_outer_side_little_by_little()
+    public void A_foot_in_the_air_that_passes_under_its_hip_is_led_past_it_on_the_outer_side_and_its_leg_does_not_whirl()
     {
         int checkedLegs = 0;
         foreach (LegRig leg in new MotionProfile(Walkers.Of(CreatureGen.Anatomy.BodyPlan.Sprawling, 3)).Legs!.Legs)
         {
             float outward = leg.Side == CreatureGen.Anatomy.Side.Left ? 1f : -1f;
             float low = 0.6f * leg.FoldedReach;
-            Vector3? last = null;
-            for (int i = -100; i <= 100; i++)
+            float ground = -low - (leg.Traits.Lift * leg.Length);
+            double last = -0.5 * Math.PI;
+            for (int i = -300; i <= 300; i++)
             {
-                // Back to front, under the hip and a little inward of it.
+                // Back to front, under the hip and a little inward of it: by its angle from straight out.
                 var chord = new Vector3(-0.05f * outward * leg.FoldedReach, -low, 0.01f * i * leg.FoldedReach);
-                Vector3 led = LegSolver.Outside(leg, Quaternion.Identity, chord);
-                bool isNear = Vec.Length(chord) < leg.FoldedReach;
+                Vector3 led = LegSolver.Outside(leg, Quaternion.Identity, chord, ground, 1f);
+                double angle = Math.Atan2(led.Z, led.X * outward);
                 Assert.Equal(chord.Y, led.Y, Tolerance);
-                Assert.True(isNear ? Math.Abs(Vec.Length(led) - leg.FoldedReach) < Tolerance : led == chord, $"{chord} is led to {led}");
-                Assert.True(Vec.Length(chord) > 0.8f * leg.FoldedReach || led.X * outward > 0f, $"{chord} is led inward, to {led}");
-                Assert.True(last is not Vector3 before || Vec.Distance(before, led) < 0.1f * leg.FoldedReach, $"{chord} is led to {led}, {last} before");
-                last = led;
+                Assert.Equal(chord.Z, led.Z, Tolerance);
+                Assert.True(Math.Abs(i) > 100 || led.X * outward > 0f, $"{chord} is led inward, to {led}");
+                Assert.True(Math.Abs(i) < 200 || led == chord, $"{chord} is led to {led}");
+                Assert.True(i == -300 || Math.Abs(angle - last) < 0.02, $"{chord} is led to {led}, {last} rad from straight out before");
+                Assert.Equal(chord, LegSolver.Outside(leg, Quaternion.Identity, chord, ground, 0f));
+                last = angle;
                 checkedLegs++;
             }
         }
 
         Assert.True(checkedLegs > 0);
+    }
+
+    [Fact]
+    public void A_foot_that_comes_down_under_its_hip_is_led_back_there_by_turning_about_it()
+    {
+        LegRig leg = new MotionProfile(Walkers.Of(CreatureGen.Anatomy.BodyPlan.Sprawling, 3)).Legs!.Legs[0];
+        float outward = leg.Side == CreatureGen.Anatomy.Side.Left ? 1f : -1f;
+        var chord = new Vector3(-0.1f * outward, -0.6f, 0.2f) * leg.FoldedReach;
+        double last = Math.Atan2(chord.Z, chord.X * outward);
+        for (float fraction = 0f; fraction <= 1f; fraction += 0.01f)
+        {
+            Vector3 led = LegSolver.Outside(leg, Quaternion.Identity, chord, chord.Y - (leg.Traits.Lift * leg.Length), fraction);
+            double angle = Math.Atan2(led.Z, led.X * outward);
+            Assert.True(Math.Abs(angle - last) < 0.03, $"{fraction}: from {last} to {angle} rad");
+            last = angle;
+        }
     }
 
     /// <summary>A leg at rest with its thigh swung by an angle.</summary>
