@@ -42,6 +42,33 @@ public class ExpressionTests
         Assert.InRange(Lowest(poses, profile.Acts.Body.Head) / poses[0].Positions[profile.Acts.Body.Head].Y, 0.1f, 0.6f);
     }
 
+    /// <summary>They crouched with the head level and ahead.</summary>
+    [Theory]
+    [InlineData(BodyPlan.Digitigrade, 1)]
+    [InlineData(BodyPlan.Unguligrade, 2)]
+    [InlineData(BodyPlan.Theropod, 3)]
+    public void Who_submits_bows_its_head_and_turns_it_away(BodyPlan plan, ulong seed)
+    {
+        (MotionProfile profile, List<Still> poses) = Filmed(plan, seed, "Submit");
+        int head = profile.Acts.Body.Head;
+        Still bowed = poses[poses.Count / 2];
+        Vector3 snout = Vector3.Transform(Vector3.UnitZ, bowed.Rotations[head] * Quaternion.Inverse(poses[0].Rotations[head]));
+        Assert.InRange(snout.Y, -1f, -0.45f);
+        Assert.InRange(Math.Abs(snout.X), 0.3f, 1f);
+    }
+
+    /// <summary>Its nose stayed before its breast.</summary>
+    [Theory]
+    [InlineData(BodyPlan.Digitigrade, 1)]
+    [InlineData(BodyPlan.Unguligrade, 2)]
+    [InlineData(BodyPlan.Theropod, 3)]
+    public void Who_sniffs_has_its_nose_at_the_ground(BodyPlan plan, ulong seed)
+    {
+        (MotionProfile profile, List<Still> poses) = Filmed(plan, seed, "Sniff");
+        int head = profile.Acts.Body.Head;
+        Assert.InRange(Lowest(poses, head) / poses[0].Positions[head].Y, 0f, 0.6f);
+    }
+
     [Theory]
     [InlineData(1)]
     [InlineData(2)]

@@ -1,3 +1,4 @@
+using System;
 using System.Numerics;
 using CreatureGen.Creatures;
 using CreatureGen.Motion;
@@ -33,7 +34,7 @@ public class StrikeTests
     [Fact]
     public void A_sting_or_spikes_along_the_back_are_no_horns_to_gore_with()
     {
-        Assert.Contains("no horns", Profile(9999092).Acts.Find("Gore").Refusal, System.StringComparison.Ordinal);
+        Assert.Contains("no horns", Profile(9999092).Acts.Find("Gore").Refusal, StringComparison.Ordinal);
         Assert.True(Profile(9999049).Acts.Find("Gore").IsPossible);
     }
 
@@ -67,6 +68,25 @@ public class StrikeTests
         }
 
         Assert.InRange(Vector3.Distance(hit.Positions[arm[0]], hit.Positions[arm[^1]]) / length, 0.7f, 1f);
+    }
+
+    /// <summary>It came no higher than .4 of the leg, under a trunk that leaned back by .12.</summary>
+    [Theory]
+    [InlineData(20100003)]
+    [InlineData(20100013)]
+    [InlineData(20100033)]
+    public void Who_kicks_on_two_legs_leans_back_and_brings_its_foot_up_before_it(ulong seed)
+    {
+        CreatureAnimator striking = AtContact(seed, "Kick");
+        ActBody body = striking.Profile.Acts.Body;
+        Pose hit = striking.ModelPose;
+        ReadOnlySpan<Vector3> rest = body.Skeleton.ModelPositions;
+        int ball = body.Legs!.Legs[body.HindFeet.Left].Ball;
+        int chest = body.Spine[^1];
+        Assert.InRange((hit.Positions[ball].Y - rest[ball].Y) / body.Unit, 0.45f, 1f);
+        Assert.InRange(Elevation(hit.Positions[chest] - hit.Positions[body.Spine[0]]) - Elevation(rest[chest] - rest[body.Spine[0]]), 0.2f, 0.6f);
+
+        static float Elevation(Vector3 way) => MathF.Atan2(way.Y, way.Z);
     }
 
     /// <summary>Where the tip of the tail is as it stings, from the tail's root, tails.</summary>

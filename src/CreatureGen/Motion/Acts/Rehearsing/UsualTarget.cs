@@ -57,7 +57,7 @@ internal static class UsualTarget
         return act.Tool switch
         {
             ActTool.ForeFoot => now + ((body.Build is BodyBuild.Sprawling or BodyBuild.ManyLegged ? new Vector3(-0.05f, 0.28f, 0.3f) : new Vector3(-0.12f, 0.52f, 0.62f)) * unit),
-            ActTool.HindFoot => now + (new Vector3(0f, body.Legs!.IsBiped ? 0.55f : 0.5f, body.Legs.IsBiped ? 0.5f : -0.55f) * unit),
+            ActTool.HindFoot => now + (new Vector3(0f, 0.5f, body.Legs!.IsBiped ? 0.47f : -0.55f) * unit),
             _ => BeforeShoulder(act, body, stage),
         };
     }
