@@ -2,10 +2,12 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
+using CreatureGen.Anatomy;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion;
 using CreatureGen.Rigging;
+using CreatureGen.Sampling;
 using Xunit;
 
 namespace CreatureGen.Tests.Motion;
@@ -27,6 +29,22 @@ public sealed class FoldedShapeTests
 
         // Narrow wings carry their wrists less far ahead, and fold with more of a corner than broad ones; off the midline, where left and right would cut through one another, with a little more.
         Assert.True(corners.Average() < 0.176, $"{corners.Average()} rad in the mean");
+    }
+
+    [Fact]
+    public void Folded_membranes_do_not_stand_above_the_back_like_tents()
+    {
+        var heights = new List<double>();
+        foreach (StandingFlier flier in StandingFlier.Of(20200000, 60, CreatureOptions.Default).Where(flier => flier.Creature.Blueprint.Wings.Any(wing => wing.Style is WingStyle.Bat or WingStyle.Dragon or WingStyle.Pterosaur)))
+        {
+            flier.Stand(FlatGround.Level);
+            heights.Add(flier.AboveBack());
+        }
+
+        // Folded as feathers are they stood .11 above it in the mean, and the highest .53.
+        Assert.True(heights.Count > 20);
+        Assert.True(heights.Max() < 0.15, FormattableString.Invariant($"{heights.Max()} body lengths above the back"));
+        Assert.True(heights.Average() < 0.075, FormattableString.Invariant($"{heights.Average()} body lengths above the back in the mean"));
     }
 
     [Theory]

@@ -15,7 +15,11 @@ namespace CreatureGen.Tests.Motion;
 /// <summary>A flier on its feet, and its skin as it is posed.</summary>
 internal sealed class StandingFlier
 {
+    /// <summary>Slices of a body, from nose to tail, in which its back is as high as its highest skin.</summary>
+    private const int Slices = 30;
+
     private readonly bool[] wing;
+    private readonly JointRole[] roles;
 
     private StandingFlier(MotionProfile profile)
     {
@@ -23,7 +27,8 @@ internal sealed class StandingFlier
         Animator = new CreatureAnimator(profile);
         Animator.Settings = Animator.Settings with { Idle = 0f };
         Skin = new Vector3[Creature.Mesh.Positions.Length];
-        wing = Bones.Roles.Select(role => role == JointRole.Wing).ToArray();
+        roles = Creature.Skeleton.Joints.Select(joint => joint.Role).ToArray();
+        wing = roles.Select(role => role == JointRole.Wing).ToArray();
     }
 
     public MotionProfile Profile { get; }
@@ -42,11 +47,12 @@ internal sealed class StandingFlier
     /// <summary>From the nose to the tip of the tail, metres.</summary>
     public double Length => Profile.Flight!.Chain.Length;
 
-    private (JointRole[] Roles, Skeleton Skeleton) Bones => (Creature.Skeleton.Joints.Select(joint => joint.Role).ToArray(), Creature.Skeleton);
-
     /// <summary>Those animals of some seeds that stand on legs.</summary>
-    public static IEnumerable<StandingFlier> Of(int firstSeed, int count) => Enumerable.Range(firstSeed, count)
-        .Select(seed => new MotionProfile(CreatureGenerator.Generate((ulong)seed, CreatureOptions.Default with { Kind = RequestedKind.Flying, Strangeness = 0 })))
+    public static IEnumerable<StandingFlier> Of(int firstSeed, int count) => Of(firstSeed, count, CreatureOptions.Default with { Strangeness = 0 });
+
+    /// <summary>Those fliers of some seeds that stand on legs.</summary>
+    public static IEnumerable<StandingFlier> Of(int firstSeed, int count, CreatureOptions options) => Enumerable.Range(firstSeed, count)
+        .Select(seed => new MotionProfile(CreatureGenerator.Generate((ulong)seed, options with { Kind = RequestedKind.Flying })))
         .Where(profile => profile.Legs != null)
         .Select(profile => new StandingFlier(profile));
 
@@ -77,8 +83,25 @@ internal sealed class StandingFlier
         }
     }
 
+    /// <summary>How far wings stand above the back below them at the most, body lengths.</summary>
+    public double AboveBack()
+    {
+        var backs = new Dictionary<int, float>();
+        for (int v = 0; v < Skin.Length; v++)
+        {
+            if (roles[Creature.Mesh.Weights[v].Joint0] is JointRole.Pelvis or JointRole.Spine or JointRole.Chest or JointRole.Tail)
+            {
+                backs[Slice(Skin[v])] = Math.Max(backs.GetValueOrDefault(Slice(Skin[v]), float.MinValue), Skin[v].Y);
+            }
+        }
+
+        return Wings().Where(point => backs.ContainsKey(Slice(point))).Max(point => point.Y - backs[Slice(point)]) / Length;
+
+        int Slice(Vector3 point) => (int)Math.Floor(Slices * point.Z / Length);
+    }
+
     /// <summary>Place of the first joint of a role, model space.</summary>
-    public Vector3 PlaceOf(JointRole role) => Animator.ModelPose.Positions[Array.FindIndex(Bones.Roles, r => r == role)];
+    public Vector3 PlaceOf(JointRole role) => Animator.ModelPose.Positions[Array.FindIndex(roles, r => r == role)];
 
     /// <summary>Where the tail is thinner than 0.6 of the pelvis for the first time.</summary>
     public Vector3 TailBase()

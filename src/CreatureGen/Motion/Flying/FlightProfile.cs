@@ -241,7 +241,7 @@ internal sealed class FlightProfile
         }
 
         thin.Sort((a, b) => b.Points[0].Z.CompareTo(a.Points[0].Z));
-        wings = WingPair.Folded(subject, stitched, FoldRange.Stitched, room);
+        wings = WingPair.Folded(subject, stitched, subject.HasMembranes ? FoldRange.Hung : FoldRange.Stitched, room);
         buzzers = new BuzzPair[thin.Count];
         double breadth = Scalar.Smooth(((area / (span * span)) - NarrowWings) / (BroadWings - NarrowWings));
         for (int k = 0; k < buzzers.Length; k++)

@@ -34,6 +34,7 @@ public sealed class MotionSubject
         Manner = SpeciesCatalogue.Find(blueprint.Body.Blend.Manner).Motion;
         HasHorns = blueprint.Features.Any(feature => (feature.Kind is FeatureKind.Horn or FeatureKind.Antler or FeatureKind.Tusk) && feature.Ring <= StationRing.Nape);
         HasSting = blueprint.Tail.Style == TailStyle.Stinger;
+        HasMembranes = blueprint.Wings.Any(wing => wing.Style is WingStyle.Bat or WingStyle.Dragon or WingStyle.Pterosaur);
         Seed species = new Seed(blueprint.Seed).Child("glances");
         Habits = blueprint.Coat.Marks == 0 ? species : species.Child(blueprint.Coat.Marks);
     }
@@ -99,6 +100,9 @@ public sealed class MotionSubject
 
     /// <summary>Whether its tail ends in a sting.</summary>
     internal bool HasSting { get; }
+
+    /// <summary>Whether its wings are skin between fingers, which cannot slide over one another as feathers do.</summary>
+    internal bool HasMembranes { get; }
 
     /// <summary>What its glances, blinks and idle acts are drawn from: individuals of one species differ.</summary>
     internal Seed Habits { get; }

@@ -18,6 +18,12 @@ internal sealed record FoldRange(WingFold Usual, WingFold Min, WingFold Max, dou
     /// <summary>Where further searches begin.</summary>
     public WingFold[] Others { get; init; } = Array.Empty<WingFold>();
 
+    /// <summary>What corners of the leading edge cost, in relation to being off the body by a body length.</summary>
+    public double CornerCost { get; init; } = 0.005;
+
+    /// <summary>What it costs to reach out to the side.</summary>
+    public double AsideCost { get; init; }
+
     /// <summary>Along the flank: the leading edge lies low, the trailing edge covers the side up to the back. A wing that is one skin cannot lay its forearm forward again as birds do: its surface would turn
     /// over at the elbow. It is drawn together instead.</summary>
     public static FoldRange Stitched { get; } = new(
@@ -43,6 +49,20 @@ internal sealed record FoldRange(WingFold Usual, WingFold Min, WingFold Max, dou
         Max = Stitched.Max with { Drop = 1.3 },
         Closeness = 2,
         ProudCost = 60,
+    };
+
+    /// <summary>The same of fliers whose wings are skin between fingers: it cannot slide together as feathers do, is deeper than the flank, and stood above the back like tents.</summary>
+    public static FoldRange Hung { get; } = Carried with
+    {
+        Others = new[]
+        {
+            Stitched.Usual with { Drop = 0.8, Spread = 0.05, Rise = -0.3 },
+            Stitched.Usual with { Drop = 0.5, Spread = 0.05, Rise = -0.5, Length = 0.5 },
+            Stitched.Usual with { Drop = 0.8, Spread = 0.05, Rise = -0.8, Length = 0.6 },
+        },
+        Closeness = 4,
+        CornerCost = 0.06,
+        AsideCost = 60,
     };
 
     /// <summary>Over the abdomen, flat or as a low roof: tips no higher than the root.</summary>

@@ -34,6 +34,9 @@ internal sealed class FoldRoom
     /// <summary>How far wings may reach beyond where the tail begins, body lengths.</summary>
     private const double Overhang = 0.08;
 
+    /// <summary>How far wings may reach to the side, body lengths.</summary>
+    private const double Aside = 0.21;
+
     /// <summary>How high wings are to be above the ground, heights of the pelvis.</summary>
     private const double Clearance = 0.45;
 
@@ -119,9 +122,10 @@ internal sealed class FoldRoom
         double cost = (off < 0 ? range.SunkCost : range.Closeness) * off * off;
         double across = Math.Max(0, MiddleGap - (point.X / length));
         double beyond = Math.Max(0, ((Scalar.Lerp(tailBase, tailEnd, range.Trailing) - point.Z) / length) - Overhang);
+        double aside = range.AsideCost > 0 ? Math.Max(0, (point.X / length) - Aside) : 0;
         double low = Math.Max(0, ((Clearance * Height) - (Vec.Dot(up, point) - floor)) / length);
         double proud = range.ProudCost > 0 ? Math.Max(0, (point.Y - flank.Back(point.Z)) / length) : 0;
-        return cost + (range.ProudCost * proud * proud) + (range.MiddleCost * across * across) + (OverhangCost * beyond * beyond) + (LowCost * low * low);
+        return cost + (range.ProudCost * proud * proud) + (range.MiddleCost * across * across) + (range.AsideCost * aside * aside) + (OverhangCost * beyond * beyond) + (LowCost * low * low);
     }
 
     /// <summary>Lays a triangle of a left wing onto the flank: what is folded later lies outside of it.</summary>

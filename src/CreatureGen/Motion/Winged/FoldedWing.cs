@@ -13,8 +13,7 @@ internal sealed class FoldedWing
     private const double FirstStep = 0.24;
     private const double Shrink = 0.7;
 
-    /// <summary>What corners of the leading edge and crowded skin cost, in relation to being off the body by a body length.</summary>
-    private const double CornerCost = 0.005;
+    /// <summary>What crowded skin costs, in relation to being off the body by a body length.</summary>
     private const double CrowdingCost = 0.08;
 
     /// <summary>By which part of what the others are shortened the upper arm is.</summary>
@@ -99,7 +98,7 @@ internal sealed class FoldedWing
         Span<Quaternion> carried = stackalloc Quaternion[chain.Count];
         Span<Vector3> joints = stackalloc Vector3[chain.Count];
         Place(joints, carried);
-        double corners = CornerCost * fold.Corners;
+        double corners = range.CornerCost * fold.Corners;
         double cost = skin.Cost(joints, carried, room, range, max - corners);
         return double.IsPositiveInfinity(cost) ? cost : cost + corners + (CrowdingCost * skin.Crowding(joints, carried));
     }
