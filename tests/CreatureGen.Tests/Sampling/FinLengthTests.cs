@@ -49,7 +49,7 @@ public sealed class FinLengthTests
         Assert.Same(FinAnatomy.Flipper, FinAnatomy.Flipper.WithDorsal());
     }
 
-    private static FinBlueprint[] Pairs(double strangeness) => Enumerable.Range(9990001, 60)
+    private static FinBlueprint[] Pairs(double strangeness) => Enumerable.Range(9990001, 72)
         .SelectMany(seed => BlueprintSampler.Sample((ulong)seed, CreatureOptions.Default with { Kind = RequestedKind.Swimming, Strangeness = strangeness }).Fins)
         .Where(fin => fin.Place == FinPlace.Pectoral)
         .ToArray();
