@@ -14,7 +14,7 @@ namespace CreatureGen.Tests.Sampling;
 
 public sealed class TrunkFitTests
 {
-    /// <summary>Largest hips of a swimmer in bellies: what is mixed and drawn after the rule leaves of its 0.6.</summary>
+    /// <summary>Largest hips of a swimmer in bellies: what is mixed and drawn after the rule leaves of its 0.57.</summary>
     private const double Hips = 0.7;
 
     // Longest trunk that legs carry, in chests, and depth of its loin in chests: what the rules leave of what is asked of them, for each gives way by a part.
