@@ -14,7 +14,7 @@ internal sealed partial class FootingSearch
     /// <summary>How far a foot is shifted for an end that would be in a wall, for one that hangs, for long toes that hang by more than half, so that nothing but their root stands, for a wall right before its toes, for a leg length beyond what its leg reaches, and for one from where it went before as its swing ends; leg lengths.</summary>
     private const float WallCost = 0.5f;
     private const float HangCost = 0.12f;
-    private const float HalfHangCost = 0.35f;
+    private const float HalfHangCost = 0.25f;
     private const float NearWallCost = 0.07f;
     private const float BeyondCost = 2.5f;
     private const float LateCost = 1.5f;
