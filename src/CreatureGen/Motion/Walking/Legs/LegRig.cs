@@ -114,8 +114,7 @@ internal sealed class LegRig
         Breadth = WidestOf(bones);
         double tip = Scalar.Clamp(HighestRoll * Length / Toe, 0, 1);
         RollFraction = FlatFoot ? 1f : Math.Min(1f, (float)PortableMath.Asin(tip) / Traits.ToeOff);
-        Vector3 middle = Follows ? sole.Pivot : sole.Middle;
-        SoleMiddle = new Vector3(middle.X, 0f, middle.Z);
+        SoleMiddle = new Vector3(sole.Middle.X, 0f, sole.Middle.Z);
         Sole = Array.ConvertAll(sole.Outline, place => place - new Vector3(0f, BallHeight, 0f));
         Hinge = Vec.Normalize(Rotation.Rotate(skeleton.ModelRotations[Knee], Vector3.UnitX));
         Vector3 upper = Traits.Linkage == LegLinkage.Pantograph ? Thigh + Metatarsus : Thigh;
@@ -366,7 +365,7 @@ internal sealed class LegRig
     /// <inheritdoc cref="LandsIn"/>
     public float LandsOut { get; }
 
-    /// <summary>From the ball to the middle of the sole, level; of a foot that turns along with its leg, to what stands on the ground there.</summary>
+    /// <summary>From the ball to the middle of the sole, level.</summary>
     public Vector3 SoleMiddle { get; }
 
     /// <summary>From the ball to the outline of the sole at rest, all round it, metres.</summary>

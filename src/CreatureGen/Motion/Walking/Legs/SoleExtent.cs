@@ -15,17 +15,11 @@ internal readonly struct SoleExtent
     /// <summary>Layer above its lowest point that counts as the sole's surface, part of the leg's length.</summary>
     private const float LayerFraction = 0.02f;
 
-    /// <summary>The same of what stands on level ground.</summary>
-    private const float TouchFraction = 0.003f;
-
     /// <summary>Height up to which a foot runs against what stands at its ends, part of the leg's length.</summary>
     private const float BumpFraction = 0.06f;
 
     /// <summary>Weight from which on a vertex is of the foot alone.</summary>
     private const float Firm = 0.9f;
-
-    /// <summary>How much nearer than it is what is outside the middle of a sole is taken to be, part of how far outside.</summary>
-    private const float Outward = 0.01f;
 
     /// <summary>Turns a direction by an eighth of a circle.</summary>
     private const float OneOverRootTwo = 0.70710678f;
@@ -33,7 +27,7 @@ internal readonly struct SoleExtent
     /// <summary>Directions in which its outline is measured.</summary>
     public const int Directions = 8;
 
-    private SoleExtent(float toe, float heel, (float Fore, float Aft) bumpers, float width, Vector3 middle, Vector3 pivot, Vector3[] outline, ToeTip tip)
+    private SoleExtent(float toe, float heel, (float Fore, float Aft) bumpers, float width, Vector3 middle, Vector3[] outline, ToeTip tip)
     {
         Toe = toe;
         Heel = heel;
@@ -41,7 +35,6 @@ internal readonly struct SoleExtent
         Aft = Math.Max(heel, bumpers.Aft);
         HalfWidth = width;
         Middle = middle;
-        Pivot = pivot;
         Outline = outline;
         Tip = tip;
     }
@@ -51,9 +44,6 @@ internal readonly struct SoleExtent
 
     /// <summary>From the ball to the middle of the sole's surface, level.</summary>
     public Vector3 Middle { get; }
-
-    /// <summary>From the ball to what stands on the ground nearest to that: between claws the middle itself is in the air.</summary>
-    public Vector3 Pivot { get; }
 
     public float Toe { get; }
 
@@ -151,46 +141,13 @@ internal readonly struct SoleExtent
             }
         }
 
-        var middles = new Vector3[legs.Length];
-        for (int i = 0; i < legs.Length; i++)
-        {
-            middles[i] = count[i] > 0 ? sum[i] / count[i] : ahead[i] * (0.5f * (toe[i] - heel[i]));
-        }
-
-        var pivots = (Vector3[])middles.Clone();
-        var nearest = new float[legs.Length];
-        Array.Fill(nearest, float.MaxValue);
-        for (int v = 0; v < positions.Length; v++)
-        {
-            int leg = legOf[weights[v].Joint0];
-            if (leg >= 0 && weights[v].Weights.X > Firm)
-            {
-                Vector3 place = positions[v] - skeleton.ModelPositions[legs[leg].Joints[4]];
-                float length = skeleton.ModelPositions[legs[leg].Joints[1]].Y;
-                float distance = Away(place, middles[leg], legs[leg].Side);
-                if (positions[v].Y < surface[leg] + (TouchFraction * length) && distance < nearest[leg])
-                {
-                    nearest[leg] = distance;
-                    pivots[leg] = place;
-                }
-            }
-        }
-
         var extents = new SoleExtent[legs.Length];
         for (int i = 0; i < legs.Length; i++)
         {
-            extents[i] = new SoleExtent(toe[i], heel[i], bumpers[i], width[i], middles[i], pivots[i], outlines[i], tips[i].Fit(toe[i]));
+            extents[i] = new SoleExtent(toe[i], heel[i], bumpers[i], width[i], count[i] > 0 ? sum[i] / count[i] : ahead[i] * (0.5f * (toe[i] - heel[i])), outlines[i], tips[i].Fit(toe[i]));
         }
 
         return extents;
-    }
-
-    /// <summary>How far a place of the sole is from its middle, level; of two that are as far the outer one comes first, on either side of the body.</summary>
-    private static float Away(Vector3 place, Vector3 middle, Anatomy.Side side)
-    {
-        Vector3 away = place - middle;
-        float outward = side == Anatomy.Side.Left ? away.X : -away.X;
-        return (float)Math.Sqrt((away.X * away.X) + (away.Z * away.Z)) - (Outward * outward);
     }
 
     /// <summary>Lets an outline go as far out as a place of the sole.</summary>
