@@ -23,8 +23,9 @@ internal static class WithersLine
     private const double Width = 0.14;
     private const int Side = 2;
 
-    // What the cosine of a corner has to gain by a quarter more of it.
+    // What the cosine of a corner has to gain by a quarter more of it, and that of one that is even enough.
     private const float Gain = 0.03f;
+    private const float Even = 0.94f;
 
     // Share of the first body from which on a torso keeps its own withers, and at which it is mixed.
     private const double Pure = 0.88;
@@ -136,7 +137,7 @@ internal static class WithersLine
                 least = Vec.Cross(to, on).X < 0f ? Math.Min(least, Vec.Dot(to, on)) : least;
             }
 
-            (best, mildest) = least > mildest + Gain ? (part, least) : (best, mildest);
+            (best, mildest) = mildest < Even && least > mildest + Gain ? (part, least) : (best, mildest);
         }
 
         return best;

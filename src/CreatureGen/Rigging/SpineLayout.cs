@@ -234,14 +234,30 @@ internal sealed class SpineLayout
         }
     }
 
-    /// <summary>Adds joints evenly in arc length from one ring to another, both included.</summary>
+    /// <summary>Adds joints from one ring to another, both included, evenly in arc length as far as each has rings enough.</summary>
     private static void AddThrough(List<SpineNode> nodes, SpineLine line, string name, JointRole role, double first, double last, int count)
     {
         double a = line.ArcAt(first);
         double b = line.ArcAt(last);
+        double way = last < first ? -1 : 1;
+        double[] rings = new double[count];
         for (int i = 0; i < count; i++)
         {
-            nodes.Add(new SpineNode(Numbered(name, i + 1), role, count == 1 ? first : line.RingAt(a + ((b - a) * i / (count - 1)))));
+            double ring = way * (count == 1 ? first : line.RingAt(a + ((b - a) * i / (count - 1))));
+            rings[i] = i == 0 ? ring : Math.Max(ring, rings[i - 1] + RingsPerBone);
+        }
+
+        // Where rings are far apart, as in long tails, bones of one length would lie between two of them.
+        double next = (way * last) + RingsPerBone;
+        for (int i = count - 1; i >= 0; i--)
+        {
+            rings[i] = Math.Min(rings[i], next - RingsPerBone);
+            next = rings[i];
+        }
+
+        for (int i = 0; i < count; i++)
+        {
+            nodes.Add(new SpineNode(Numbered(name, i + 1), role, way * rings[i]));
         }
     }
 

@@ -41,6 +41,11 @@ internal static class FinSampler
     /// <summary>First segment of sockets so far under the belly that a flat fin would go into the flank above it.</summary>
     private const int UnderBelly = 11;
 
+    /// <summary>How far the paired fins of a mixed swimmer are swept otherwise than those of its species, and from where to where: with the same flippers seals of any body are twins from above.</summary>
+    private const double OtherSweep = 0.5;
+    private const double LeastSweep = 0.15;
+    private const double MostSweep = 1;
+
     /// <summary>Rings behind a leg's socket over which the leg lies in the water.</summary>
     private const int UnderLegs = 13;
 
@@ -160,10 +165,12 @@ internal static class FinSampler
     /// <summary>The fins that a species always has.</summary>
     private static void Own(CreatureBuilder builder, RandomStream random, FinPreset preset)
     {
+        double back = builder.Fitting * builder.Stream("sweep of fins").Uniform(-OtherSweep, OtherSweep);
         foreach (FinSitePreset fin in preset.Fins)
         {
             double length = CreatureBuilder.Between(random, fin.Length) * Stature.Fin(builder, builder.Fins.Count);
             double width = CreatureBuilder.Between(random, fin.Width);
+            double sweep = fin.Place == FinPlace.Pectoral ? Scalar.Clamp(fin.Sweep + back, Math.Min(fin.Sweep, LeastSweep), Math.Max(fin.Sweep, MostSweep)) : fin.Sweep;
             SocketBlueprint socket = fin.Place switch
             {
                 FinPlace.Dorsal => new SocketBlueprint(fin.Ring, 31, fin.Rows, 2),
@@ -175,7 +182,7 @@ internal static class FinSampler
             bool crowded = builder.Legs.Count > 0 && (!builder.Sockets.IsFree(socket, 0) || (fin.Place == FinPlace.Pectoral && IsBehindLeg(builder, socket)));
             if (!crowded && builder.Sockets.TryReserve(socket, 0))
             {
-                builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, socket, length, fin.Place == FinPlace.Pectoral ? width : 0, DropOf(builder, fin.Drop, fin.Sweep, fin.Style, socket), fin.Sweep));
+                builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, socket, length, fin.Place == FinPlace.Pectoral ? width : 0, DropOf(builder, fin.Drop, sweep, fin.Style, socket), sweep));
             }
         }
 

@@ -77,7 +77,12 @@ internal static class Displays
             new ActPhase("stay", 6f).With(new ActWave(Up, 0.006f, 10f)).With(new ActWave(HeadSide, 0.08f, 1f)),
             new ActPhase("look up", 1.4f).To(NeckPitch, -0.45f).To(NeckSide, 0.1f).To(HeadPitch, 0.2f).To(HeadSide, 0f).To(HeadRoll, 0f).To(Lids, 0f),
             new ActPhase("rise", 2.4f).To(ForeDown, 0f).To(HindDown, 0f).To(Ahead, 0f).To(NeckPitch, 0f).To(NeckSide, 0f).To(HeadPitch, 0f).To(Ears, 0f).To(TailPitch, 0f).To(TailCurl, 0f).To(Wings, 0f).To(BackPitch, 0f))
-            .Needing(ActNeeds.Head).OnTheSpot(),
+            .Needing(ActNeeds.Head).For(BodyBuild.Standing).OnTheSpot(),
+        new Act("Submit", ActKind.Display,
+            new ActPhase("shrink", 2.2f).To(Ahead, -0.10f).To(NeckPitch, -0.35f).To(HeadPitch, -0.1f).To(HeadRoll, 0.2f).To(Ears, 1f).To(Lids, 0.4f).To(TailPitch, -0.6f).To(TailCurl, -0.4f).To(Wings, -0.4f).To(BackPitch, -0.15f),
+            new ActPhase("stay", 7f).With(new ActWave(Up, 0.006f, 12f)).With(new ActWave(HeadSide, 0.08f, 1f)),
+            new ActPhase("straighten", 2.4f).To(Ahead, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(HeadRoll, 0f).To(Ears, 0f).To(Lids, 0f).To(TailPitch, 0f).To(TailCurl, 0f).To(Wings, 0f).To(BackPitch, 0f))
+            .Needing(ActNeeds.Head).For(BodyBuild.Legless | BodyBuild.Swimming | BodyBuild.Airborne).OnTheSpot(),
         Dances.OfLegs,
         Dances.OfFliers,
         Dances.OfOthers,

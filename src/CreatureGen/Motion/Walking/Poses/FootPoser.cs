@@ -18,6 +18,9 @@ internal static class FootPoser
     /// <summary>Height at which a foot that an act takes has left the ground wholly, leg lengths.</summary>
     private const float TakenHeight = 0.02f;
 
+    /// <summary>How far up the normal of ground is that counts as level.</summary>
+    private const float Level = 0.99999f;
+
     /// <summary>Poses a foot.</summary>
     /// <param name="leg">Its leg.</param>
     /// <param name="foot">Its state.</param>
@@ -53,11 +56,10 @@ internal static class FootPoser
         if (leg.Follows)
         {
             // The foot turns with the leg on the middle of its sole.
-            Vector3 shift = Rotation.Rotate(heading, leg.SoleMiddle);
+            Vector3 before = Rotation.Rotate(heading, leg.SoleMiddle);
             heading = leg.Sweep(from);
-            shift -= Rotation.Rotate(heading, leg.SoleMiddle);
-            shift.Y = -((normal.X * shift.X) + (normal.Z * shift.Z)) / Math.Max(normal.Y, 0.3f);
-            from += shift;
+            Vector3 shift = before - Rotation.Rotate(heading, leg.SoleMiddle);
+            from += normal.Y < Level ? Rotation.Rotate(UnitRotation.FromTo(Vector3.UnitY, normal), shift) : shift;
         }
 
         foot.Path.Heading = heading;
@@ -65,7 +67,7 @@ internal static class FootPoser
         FootPosture cycle = FootRoll.At(foot, leg, gait);
         FootPosture posture = foot.Path.Posture.Follow(cycle with { Pitch = cycle.Pitch + rest }, leg.PostureSeconds, gait.Step);
         float pitch = posture.Pitch;
-        Quaternion ground = normal.Y < 0.99999f ? Rotation.Multiply(UnitRotation.FromTo(Vector3.UnitY, normal), heading) : heading;
+        Quaternion ground = normal.Y < Level ? Rotation.Multiply(UnitRotation.FromTo(Vector3.UnitY, normal), heading) : heading;
         pose.Foot = pitch == 0f ? ground : Rotation.Multiply(ground, AxisRotation.About(leg.RollAxis, pitch));
         Vector3 ball;
         if (leg.FlatFoot)
