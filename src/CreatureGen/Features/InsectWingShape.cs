@@ -31,7 +31,7 @@ internal static class InsectWingShape
     public static void Append(PieceBuilder builder, SurfacePoint skin, InsectWingBlueprint wing, float scale, Vector3 membrane, Vector3 vein)
     {
         ThinWingForm? form = ThinWingForm.Of(wing.Style);
-        ReadOnlySpan<float> blade = stackalloc float[] { 0f, 0.10f, 0.25f, 0.42f, 0.60f, 0.77f, 0.91f, 1f };
+        ReadOnlySpan<float> blade = stackalloc float[] { 0f, 0.10f, 0.26f, 0.45f, 0.65f, 0.82f, 0.94f, 1f };
         int rows = form?.Rows ?? blade.Length;
         ReadOnlySpan<float> lines = stackalloc float[Lines] { 0f, 0.07f, 0.31f, 0.345f, 0.62f, 0.65f, 1f };
         float length = (float)wing.Length * scale;
@@ -176,6 +176,12 @@ internal static class InsectWingShape
         float fan = (0.16f + (0.86f * Power(s, 0.7))) * (1f - (0.58f * Scalar.Smooth((s - 0.82f) / 0.18f)));
         lead = Scalar.Lerp(-0.15f * bow, -0.28f * Power(Sine(Power(s, 1.5)), 0.8), broad);
         trail = Scalar.Lerp(Scalar.Lerp(lobe, blade, slender), fan, broad);
+
+        // Both edges run round into the tip, which would be sawn off.
+        float round = (float)Math.Sqrt(1f - (0.99f * Power(s, 10)));
+        float middle = Scalar.Lerp(lead, trail, 0.4f);
+        lead = Scalar.Lerp(middle, lead, round);
+        trail = Scalar.Lerp(middle, trail, round);
     }
 
     private static float Sine(float halfTurns) => (float)PortableMath.Sin(PortableMath.Pi * Math.Min(1f, halfTurns));

@@ -51,6 +51,20 @@ public sealed class InsectWingShapeTests
         Assert.InRange(wing.Positions.Max(p => p.X) - back.Position.X, 0.4f, 0.82f);
     }
 
+    /// <summary>Wings were sawn off at a quarter of their width.</summary>
+    [Theory]
+    [InlineData(0.12)]
+    [InlineData(0.2)]
+    [InlineData(0.3)]
+    public void A_wing_without_a_family_runs_out_into_its_tip(double aspect)
+    {
+        Piece wing = Build(new InsectWingBlueprint(26, 2.5, 0.8, 0.8 * aspect, 0, 0));
+        float tip = wing.Positions.Max(p => p.X);
+        float[] end = wing.Positions.Where(p => p.X > tip - 1e-3f).Select(p => p.Z).ToArray();
+        float[] all = wing.Positions.Select(p => p.Z).ToArray();
+        Assert.InRange((end.Max() - end.Min()) / (all.Max() - all.Min()), 0f, 0.15f);
+    }
+
     [Fact]
     public void A_wing_reaches_its_tip_and_is_about_as_wide_as_the_blueprint_says()
     {

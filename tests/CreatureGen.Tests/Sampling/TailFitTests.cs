@@ -352,7 +352,7 @@ public sealed class TailFitTests
             {
                 BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
                 double tail = shape.Arc[BodyGrid.Rings - 1] - shape.Arc[StationRing.TorsoLast];
-                FeatureBlueprint sting = creature.Features.Single(part => part.Kind == FeatureKind.Horn && part.Ring == BodyGrid.Rings - 2);
+                FeatureBlueprint sting = creature.Features.Single(part => part.Kind == FeatureKind.Horn && part.Ring == BodyGrid.Rings - 1);
                 Assert.InRange(sting.Length / tail, 0.05, 0.25);
                 stings++;
             }

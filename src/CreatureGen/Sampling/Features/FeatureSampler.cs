@@ -128,7 +128,7 @@ internal static class FeatureSampler
             BodyShape s = builder.Shape;
             double tail = s.Arc[BodyGrid.Rings - 1] - s.Arc[StationRing.TorsoLast];
             double radius = Math.Min(s.Width[BodyGrid.Rings - 2], LongestSting * tail / StingLength);
-            builder.Features.Add(new FeatureBlueprint(FeatureKind.Horn, BodyGrid.Rings - 2, Segment: 0, Length: StingLength * radius, Radius: 0.7 * radius, Outward: 0.1, Upward: 0, Forward: -1, Sideward: 0, BendUp: 0, BendForward: 0, BendSide: 0, Flatness: 1, Taper: 1));
+            builder.Features.Add(new FeatureBlueprint(FeatureKind.Horn, BodyGrid.Rings - 1, Segment: 0, Length: StingLength * radius, Radius: 0.5 * radius, Outward: 0.1, Upward: 0, Forward: -1, Sideward: 0, BendUp: 0, BendForward: 0, BendSide: 0, Flatness: 1, Taper: 1));
         }
     }
 

@@ -87,9 +87,6 @@ internal static class TailFit
     private const double LeastDriven = 0.5;
     private const double LongestDriven = 3.6;
 
-    // Part of what it lacks by which it is lengthened: of all that are, the tails would be as long.
-    private const double Driven = 1;
-
     /// <summary>Least girth that is left of a tail.</summary>
     private const double MinGirth = 0.5;
 
@@ -163,7 +160,7 @@ internal static class TailFit
             return drawn;
         }
 
-        double lacks = PortableMath.Pow(Math.Max(1, LeastDriven / LengthOf(StanceSampler.ShapeOf(builder))), Driven * builder.Fitting);
+        double lacks = PortableMath.Pow(Math.Max(1, LeastDriven / LengthOf(StanceSampler.ShapeOf(builder))), builder.Fitting);
         return drawn with { Tail = Math.Max(drawn.Tail, Math.Min(LongestDriven, drawn.Tail * lacks)) };
     }
 

@@ -19,11 +19,11 @@ public sealed class FreeFallTests
     private const float Gravity = 9.80665f;
 
     /// <summary>A mixed lot of walkers, strange ones too.</summary>
-    public static IEnumerable<MotionProfile> Lot(ulong first, int count)
+    public static IEnumerable<MotionProfile> Lot(ulong first, int count, RequestedKind kind = RequestedKind.Walking)
     {
         for (ulong seed = first; seed < first + (ulong)count; seed++)
         {
-            Creature creature = CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking, Strangeness = seed % 2 == 0 ? 0f : 0.6f });
+            Creature creature = CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind, Strangeness = seed % 2 == 0 ? 0f : 0.6f });
             var profile = new MotionProfile(creature);
             if (profile.LegLength > 0f)
             {

@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
-using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion;
 using CreatureGen.Rigging;
@@ -23,7 +22,7 @@ public sealed class WingedJumpTests
     public void A_flier_on_its_feet_jumps_with_open_wings_lands_where_it_was_asked_to_and_folds_them_again(bool runs)
     {
         int jumped = 0;
-        foreach (MotionProfile profile in Fliers(9971000, Thoroughness.Of(45)))
+        foreach (MotionProfile profile in FreeFallTests.Lot(9971000, Thoroughness.Of(45), RequestedKind.Flying))
         {
             string name = $"{profile.Subject.Seed} {profile.Subject.Plan}";
             CreatureAnimator animator = OnFoot(profile, runs);
@@ -72,7 +71,7 @@ public sealed class WingedJumpTests
     public void A_flier_that_is_asked_into_the_air_as_it_jumps_goes_on_on_its_wings_at_the_speed_that_it_has()
     {
         int flew = 0;
-        foreach (MotionProfile profile in Fliers(9971000, Thoroughness.Of(45)))
+        foreach (MotionProfile profile in FreeFallTests.Lot(9971000, Thoroughness.Of(45), RequestedKind.Flying))
         {
             string name = $"{profile.Subject.Seed} {profile.Subject.Plan}";
             CreatureAnimator animator = OnFoot(profile, runs: true);
@@ -112,7 +111,7 @@ public sealed class WingedJumpTests
     public void A_flier_that_jumps_off_a_cliff_takes_wing_and_lands_on_its_feet()
     {
         int flew = 0;
-        foreach (MotionProfile profile in Fliers(9971000, Thoroughness.Of(45)))
+        foreach (MotionProfile profile in FreeFallTests.Lot(9971000, Thoroughness.Of(45), RequestedKind.Flying))
         {
             string name = $"{profile.Subject.Seed} {profile.Subject.Plan}";
             float leg = profile.LegLength;
@@ -138,19 +137,6 @@ public sealed class WingedJumpTests
         }
 
         Assert.True(flew > 6, $"{flew} flew");
-    }
-
-    private static IEnumerable<MotionProfile> Fliers(ulong first, int count)
-    {
-        for (ulong seed = first; seed < first + (ulong)count; seed++)
-        {
-            Creature creature = CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Flying, Strangeness = seed % 2 == 0 ? 0f : 0.6f });
-            var profile = new MotionProfile(creature);
-            if (profile.LegLength > 0f)
-            {
-                yield return profile;
-            }
-        }
     }
 
     private static CreatureAnimator OnFoot(MotionProfile profile, bool runs)
