@@ -34,7 +34,6 @@ internal sealed class FlyingMode : IWingedMode
     private readonly EventQueue events;
     private FlightState state;
     private CriticallyDampedSpring opened;
-    private double opening;
     private float turn;
 
     /// <summary>Speed of its legs when they came down or began to make ready for a leap, metres of the model per second; null while they go as they are asked.</summary>
@@ -161,16 +160,14 @@ internal sealed class FlyingMode : IWingedMode
 
     public void HoldWings(in RootPlace place, float dt, bool open, in MotionSettings settings, BodyLayer? layer, in Pose local)
     {
-        opening = open ? HeldOpen : 0;
         FlightInput asked;
         state.Left = dt;
         do
         {
             // What its legs jump off is as good as ground under them.
-            Fly(place, state.Left, default, settings, 0f, layer, out asked);
+            Fly(place, state.Left, default, settings, 0f, layer, out asked, open ? HeldOpen : 0);
         }
         while (state.Left > 0f);
-        opening = 0;
         Speed = legs!.Speed;
         stance.Take(local);
         Write(asked, local);
@@ -258,7 +255,7 @@ internal sealed class FlyingMode : IWingedMode
         }
     }
 
-    private RootDelta Fly(in RootPlace place, float dt, in MotionInput input, in MotionSettings settings, float height, BodyLayer? layer, out FlightInput asked)
+    private RootDelta Fly(in RootPlace place, float dt, in MotionInput input, in MotionSettings settings, float height, BodyLayer? layer, out FlightInput asked, double opening = 0)
     {
         FlightIntent intent = legs == null || input.Medium == MotionMedium.Air ? FlightIntent.Air : FlightIntent.Ground;
         float scale = place.Scale;
