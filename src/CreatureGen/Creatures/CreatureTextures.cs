@@ -11,7 +11,7 @@ using CreatureGen.Limbs;
 namespace CreatureGen.Creatures;
 
 /// <summary>
-/// The texture atlas of a creature: base colour, normals and roughness on the texture coordinates of its mesh. Square pictures, three bytes per texel, rows from the top.
+/// The texture atlas of a creature: base colour, normals, and roughness with ambient occlusion, on the texture coordinates of its mesh. Square pictures, three bytes per texel, rows from the top.
 /// </summary>
 /// <remarks>
 /// Every texel is a place of the surface at rest: coat, scales, fur or feathers are evaluated there, so seams between charts do not show and left and right are alike.
@@ -47,7 +47,7 @@ public sealed class CreatureTextures
     /// <summary>Normals in tangent space as glTF has them: red along u, green against v, blue outwards; 128 is nought.</summary>
     public ReadOnlySpan<byte> Normal => normal;
 
-    /// <summary>Roughness in the green channel, metalness (none) in the blue one.</summary>
+    /// <summary>Ambient occlusion in the red channel (<see cref="AmbientOcclusion"/>; 255 in the open), roughness in the green one, metalness (none) in the blue one.</summary>
     public ReadOnlySpan<byte> Roughness => roughness;
 
     /// <summary>Paints the atlas of a creature. The same creature and size give the same bytes.</summary>
@@ -75,7 +75,7 @@ public sealed class CreatureTextures
         using var pictures = new AtlasPictures(size);
         PaintSwatches(pictures);
         ChartPacking packing = ChartPacking.Pack(surface);
-        Paint(surface, packing, new VertexCoat(Coat(), surface, normals), size, PainterOf);
+        Paint(surface, packing, new VertexCoat(Coat(), surface, normals, OpennessOf(creature, surface, normals)), size, PainterOf);
         pictures.Bleed(Math.Max(2, size / 256));
         pictures.FillGround();
         ForEachBand(size, rows => pictures.Emboss(1f / (packing.Density * size), rows));
@@ -92,6 +92,19 @@ public sealed class CreatureTextures
 
     /// <summary>Texture coordinates of a place that leaves a surface its colour.</summary>
     internal static Vector2 PlainTexcoord => ChartPacking.Swatch(0);
+
+    private static float[] OpennessOf(Creature creature, Surface surface, Vector3[] normals)
+    {
+        AmbientOcclusion occlusion = AmbientOcclusion.Of(creature);
+        float scale = (float)creature.Blueprint.Scale;
+        float[] openness = new float[normals.Length];
+        for (int v = 0; v < openness.Length; v++)
+        {
+            openness[v] = occlusion.At(surface.Positions[v] * scale, normals[v]);
+        }
+
+        return openness;
+    }
 
     private static void PaintSwatches(AtlasPictures pictures)
     {

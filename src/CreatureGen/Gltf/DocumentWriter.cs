@@ -215,6 +215,7 @@ internal static class DocumentWriter
         if (textured)
         {
             TextureWriter.Refer(json, "normalTexture", TextureImages.Normal);
+            TextureWriter.Refer(json, "occlusionTexture", TextureImages.Roughness);
         }
 
         if (material == MaterialKind.Membrane)

@@ -15,7 +15,7 @@ internal sealed class TextureImages
     /// <summary>Number of the normals.</summary>
     public const int Normal = 1;
 
-    /// <summary>Number of the roughness.</summary>
+    /// <summary>Number of the roughness, with ambient occlusion in red.</summary>
     public const int Roughness = 2;
 
     private readonly byte[][] files;

@@ -55,6 +55,20 @@ public sealed class GlbTextureTests
     }
 
     [Fact]
+    public void All_materials_take_occlusion_from_the_picture_of_the_roughness()
+    {
+        GlbFile file = GlbFile.Of(Subject, new GltfOptions { TextureSize = Size });
+        foreach (JsonElement material in file.Json.GetProperty("materials").EnumerateArray())
+        {
+            int roughness = material.GetProperty("pbrMetallicRoughness").GetProperty("metallicRoughnessTexture").GetProperty("index").GetInt32();
+            Assert.Equal(roughness, material.GetProperty("occlusionTexture").GetProperty("index").GetInt32());
+        }
+
+        JsonElement plain = GlbFile.Of(Subject, GltfOptions.Default).Json.GetProperty("materials")[0];
+        Assert.False(plain.TryGetProperty("occlusionTexture", out _));
+    }
+
+    [Fact]
     public void Tangents_lie_in_the_skin_and_follow_u()
     {
         GlbFile file = GlbFile.Of(Subject, new GltfOptions { TextureSize = Size });

@@ -39,7 +39,7 @@ internal sealed class AtlasPictures : IDisposable
     /// <summary>Tangent space, +X along u, +Y against v, as glTF wants it; 128 is nought.</summary>
     public byte[] Normal { get; }
 
-    /// <summary>Roughness in the green channel, metalness (none) in the blue one, as glTF wants it.</summary>
+    /// <summary>Openness to the light from all around in the red channel, roughness in the green one, metalness (none) in the blue one, as glTF wants it.</summary>
     public byte[] Roughness { get; }
 
     /// <summary>Whether a texel has been set.</summary>
@@ -51,7 +51,8 @@ internal sealed class AtlasPictures : IDisposable
     /// <param name="colour">Linear, clamped to 0..1.</param>
     /// <param name="height">Height of the relief above the surface, metres; <see cref="Emboss"/> makes normals of it.</param>
     /// <param name="roughness">Clamped to 0..1.</param>
-    public void Set(int x, int y, Vector3 colour, float height, float roughness)
+    /// <param name="openness">The share of the light from all around that comes here, clamped to 0..1.</param>
+    public void Set(int x, int y, Vector3 colour, float height, float roughness, float openness)
     {
         int texel = (y * Size) + x;
         painted[texel] = true;
@@ -60,7 +61,8 @@ internal sealed class AtlasPictures : IDisposable
         rgb[2] = SrgbCurve.Encode(colour.Z);
         rgb[1] = SrgbCurve.Encode(colour.Y);
         rgb[0] = SrgbCurve.Encode(colour.X);
-        Roughness[(3 * texel) + 1] = (byte)(int)((Scalar.Clamp(roughness, 0f, 1f) * 255f) + 0.5f);
+        Roughness[(3 * texel) + 1] = Byte(roughness);
+        Roughness[3 * texel] = Byte(openness);
     }
 
     /// <summary>Fills a square block of texels with white, flat and of one roughness.</summary>
@@ -70,7 +72,7 @@ internal sealed class AtlasPictures : IDisposable
         {
             for (int x = left; x < left + side; x++)
             {
-                Set(x, y, Vector3.One, 0f, roughness);
+                Set(x, y, Vector3.One, 0f, roughness, 1f);
             }
         }
     }
@@ -169,6 +171,8 @@ internal sealed class AtlasPictures : IDisposable
             first.CopyTo(picture.Slice(at));
         }
     }
+
+    private static byte Byte(float fraction) => (byte)(int)((Scalar.Clamp(fraction, 0f, 1f) * 255f) + 0.5f);
 
     /// <summary>The texels beside one, within the picture: left, right, above, below.</summary>
     private int Neighbours(int texel, Span<int> found)

@@ -9,6 +9,9 @@ internal struct ChartCorner
     /// <summary>Place in the picture, 0..1.</summary>
     public Vector2 Picture;
 
+    /// <summary>The share of the light from all around that comes here, 0..1.</summary>
+    public float Openness;
+
     /// <summary>Region of the surface.</summary>
     public SurfaceRegion Region;
 

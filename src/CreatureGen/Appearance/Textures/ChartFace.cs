@@ -52,6 +52,7 @@ internal struct ChartFace
             return new ChartCorner
             {
                 Picture = packing.Map(f.Chart, chart),
+                Openness = coat.OpennessOf(vertex),
                 Region = address.Region,
                 PositionAndRing = new Vector4(coat.PositionOf(vertex), address.Ring),
                 ChartAndTurns = new Vector4(chart.X, chart.Y, segment, rooted ? around : Unwrapped(address.Around, around)),

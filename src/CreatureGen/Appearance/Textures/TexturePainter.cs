@@ -173,7 +173,8 @@ internal sealed class TexturePainter
             SkinRelief relief = painter.relief;
             float height = relief.At(new Vector2(chart.X, chart.Y));
             colour *= 1f + (cover * relief.Shade * (height - 0.6f));
-            painter.pictures.Set(x, y, colour, cover * relief.Amplitude * height, weights.Mix(roughness.X, roughness.Y, roughness.Z) + (0.12f * cover * (0.5f - height)));
+            float rough = weights.Mix(roughness.X, roughness.Y, roughness.Z) + (0.12f * cover * (0.5f - height));
+            painter.pictures.Set(x, y, colour, cover * relief.Amplitude * height, rough, weights.Mix(a.Openness, b.Openness, c.Openness));
         }
     }
 }
