@@ -19,11 +19,11 @@ internal static class SprawlLeg
             Rows = new LegSection[]
             {
                 new() { Forward = 0, Down = 0, Outward = 0, ForeRadius = 1000, SideRadius = 800 },
-                new() { Forward = 0, Down = -20, Outward = 400, ForeRadius = 850, SideRadius = 720 },
-                new() { Forward = 20, Down = 30, Outward = 800, ForeRadius = 560, SideRadius = 480 },
-                new() { Forward = 0, Down = 300, Outward = 1000, ForeRadius = 490, SideRadius = 450 },
-                new() { Forward = 0, Down = 620, Outward = 1050, ForeRadius = 330, SideRadius = 305 },
-                new() { Forward = 60, Down = 860, Outward = 1080, ForeRadius = 320, SideRadius = 345 },
+                new() { Forward = 0, Down = -20, Outward = 400, ForeRadius = 800, SideRadius = 690 },
+                new() { Forward = 20, Down = 30, Outward = 800, ForeRadius = 530, SideRadius = 450, ForeOffset = -70 },
+                new() { Forward = 0, Down = 300, Outward = 1000, ForeRadius = 530, SideRadius = 440, ForeOffset = 40 },
+                new() { Forward = 0, Down = 620, Outward = 1050, ForeRadius = 340, SideRadius = 310 },
+                new() { Forward = 60, Down = 860, Outward = 1080, ForeRadius = 265, SideRadius = 290 },
                 new() { Forward = 200, Down = 930, Outward = 1120, ForeRadius = 300, SideRadius = 460 },
                 new() { Forward = 320, Down = 940, Outward = 1150, ForeRadius = 280, SideRadius = 500 },
             },
