@@ -77,11 +77,6 @@ internal sealed class FeatureSetter
             setter.AddFeature(feature);
         }
 
-        foreach (ManeBlueprint mane in blueprint.Manes)
-        {
-            setter.AddMane(mane);
-        }
-
         foreach (FrillBlueprint frill in blueprint.Frills)
         {
             setter.AddFrill(frill);
@@ -91,6 +86,8 @@ internal sealed class FeatureSetter
         {
             setter.AddInsectWing(wing);
         }
+
+        setter.AddManes();
 
         return (setter.pieces, setter.appendages);
     }
@@ -294,13 +291,24 @@ internal sealed class FeatureSetter
         _ => throw new ArgumentOutOfRangeException(nameof(horn), horn, "expected a kind that is built as horns are"),
     };
 
-    private void AddMane(ManeBlueprint mane)
+    /// <summary>Hair comes last, for it takes the triangles that the budget leaves: to cut them out of a finished creature takes several times as long as to grow it.</summary>
+    private void AddManes()
     {
-        builder.Clear(SurfaceFinish.Hair);
-        var addresses = new List<SkinAddress>();
-        ManeShape.Append(builder, mane, grown.Skin, HairCoat.ColourOf(palette, blueprint.Manes), addresses);
-        int[] vertices = addresses.ConvertAll(address => grown.BodyVertex(address.Ring, address.Segment)).ToArray();
-        pieces.Add(builder.ToPiece(MaterialKind.Skin, new PieceBinding.Skin(vertices), HairSimplificationWeight));
+        int room = blueprint.TriangleBudget - (grown.Surface.Triangles.Length / 3);
+        foreach (Piece piece in pieces)
+        {
+            room -= piece.Triangles.Length / 3;
+        }
+
+        int coarseness = ManeShape.CoarsenessWithin(room, blueprint.Manes);
+        foreach (ManeBlueprint mane in blueprint.Manes)
+        {
+            builder.Clear(SurfaceFinish.Hair);
+            var addresses = new List<SkinAddress>();
+            ManeShape.Append(builder, mane, coarseness, grown.Skin, HairCoat.ColourOf(palette, blueprint.Manes), addresses);
+            int[] vertices = addresses.ConvertAll(address => grown.BodyVertex(address.Ring, address.Segment)).ToArray();
+            pieces.Add(builder.ToPiece(MaterialKind.Skin, new PieceBinding.Skin(vertices), HairSimplificationWeight));
+        }
     }
 
     private void AddFrill(FrillBlueprint frill)

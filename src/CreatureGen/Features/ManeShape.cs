@@ -36,17 +36,56 @@ internal static class ManeShape
     /// <summary>How much longer or shorter than the mane a single lock may be.</summary>
     private const double LengthVariety = 0.2;
 
-    // From root to tip: where a section lies, and how wide it is. Strands taper from the first third on; leaves are widest in the middle.
-    private static readonly Vector2[] sections = { new(0f, 0.70f), new(0.25f, 1f), new(0.55f, 0.78f), new(0.82f, 0.36f) };
+    // From root to tip: where a section lies, and how wide it is. Strands taper from the first third on. The finest first; fewer sections are for hair that would not leave the rest its triangles.
+    private static readonly Vector2[][] sectionsOf =
+    {
+        new Vector2[] { new(0f, 0.70f), new(0.25f, 1f), new(0.55f, 0.78f), new(0.82f, 0.36f) },
+        new Vector2[] { new(0f, 0.74f), new(0.32f, 1f), new(0.70f, 0.56f) },
+        new Vector2[] { new(0f, 0.80f), new(0.45f, 0.92f) },
+    };
+
+    /// <summary>How coarse the locks of some manes have to be that they have no more triangles than there is room for: 0 the finest, as coarse as there are where there is no room for any.</summary>
+    public static int CoarsenessWithin(int triangles, IReadOnlyList<ManeBlueprint> manes)
+    {
+        int locks = 0;
+        foreach (ManeBlueprint mane in manes)
+        {
+            foreach (LockRoot root in RootsOf(mane))
+            {
+                locks += root.Median ? 1 : 2;
+            }
+        }
+
+        int coarseness = 0;
+        while (coarseness < sectionsOf.Length - 1 && locks * TrianglesOf(sectionsOf[coarseness].Length) > triangles)
+        {
+            coarseness++;
+        }
+
+        return coarseness;
+    }
 
     /// <summary>Appends all locks of a mane, left, right and on the midline.</summary>
     /// <param name="builder">Where they go.</param>
     /// <param name="mane">Where it grows and how.</param>
+    /// <param name="coarseness">How coarse its locks are, 0 the finest; <see cref="CoarsenessWithin"/>.</param>
     /// <param name="skin">The body.</param>
     /// <param name="colour">Linear RGB of the middle of a lock.</param>
     /// <param name="addresses">Gets the place on the body that each vertex follows.</param>
-    public static void Append(PieceBuilder builder, ManeBlueprint mane, BodySkin skin, Vector3 colour, List<SkinAddress> addresses)
+    public static void Append(PieceBuilder builder, ManeBlueprint mane, int coarseness, BodySkin skin, Vector3 colour, List<SkinAddress> addresses)
     {
+        foreach (LockRoot root in RootsOf(mane))
+        {
+            AppendLock(builder, mane, sectionsOf[coarseness], skin, root, colour * root.Shade, addresses);
+        }
+    }
+
+    /// <summary>Triangles of a lock: its root is closed by two, its tip by one for each side.</summary>
+    private static int TrianglesOf(int sections) => (2 * Sides * (sections - 1)) + Sides + (Sides - 2);
+
+    private static List<LockRoot> RootsOf(ManeBlueprint mane)
+    {
+        var roots = new List<LockRoot>(mane.Rows * mane.Columns);
         int lockCount = 0;
         for (int row = 0; row < mane.Rows; row++)
         {
@@ -69,26 +108,27 @@ internal static class ManeShape
                     segment = Scalar.Clamp(segment + (0.3 * step * Jitter(lockCount, 4)), mane.Segment, mane.LastSegment);
                 }
 
-                var root = new LockRoot(mane.Ring + (along * (mane.LastRing - mane.Ring)) + (0.3 * rowStep * Jitter(lockCount, 3)), segment, median)
+                roots.Add(new LockRoot(mane.Ring + (along * (mane.LastRing - mane.Ring)) + (0.3 * rowStep * Jitter(lockCount, 3)), segment, median)
                 {
                     Length = mane.Length * Scalar.Lerp(1, mane.Growth, along) * (1 + (LengthVariety * Jitter(lockCount, 0))),
                     Turn = median ? 0 : 0.2 * Jitter(lockCount, 1),
                     Bend = median ? 0 : 0.5 * Jitter(lockCount, 5),
-                };
-                Vector3 shade = colour * (float)(1 + (0.16 * Jitter(lockCount, 2)));
-                AppendLock(builder, mane, skin, root, shade, addresses);
+                    Shade = (float)(1 + (0.16 * Jitter(lockCount, 2))),
+                });
             }
         }
+
+        return roots;
     }
 
-    private static void AppendLock(PieceBuilder builder, ManeBlueprint mane, BodySkin skin, in LockRoot root, Vector3 colour, List<SkinAddress> addresses)
+    private static void AppendLock(PieceBuilder builder, ManeBlueprint mane, ReadOnlySpan<Vector2> sections, BodySkin skin, in LockRoot root, Vector3 colour, List<SkinAddress> addresses)
     {
         int vertex = builder.VertexCount;
         int index = builder.IndexCount;
         int address = addresses.Count;
         var path = new LockPath(mane, skin, root);
         float width = (float)mane.Width;
-        Span<TubeRow> rows = stackalloc TubeRow[Sides];
+        Span<TubeRow> rows = stackalloc TubeRow[sections.Length];
         for (int i = 0; i < rows.Length; i++)
         {
             float s = sections[i].X;
@@ -158,6 +198,7 @@ internal static class ManeShape
             Length = 0;
             Turn = 0;
             Bend = 0;
+            Shade = 1f;
         }
 
         public double Ring { get; }
@@ -174,6 +215,9 @@ internal static class ManeShape
 
         /// <summary>How far that direction turns on between root and tip, radians.</summary>
         public double Bend { get; init; }
+
+        /// <summary>How much lighter or darker than the mane it is, a factor.</summary>
+        public float Shade { get; init; }
     }
 
     /// <summary>The middle line of a lock.</summary>

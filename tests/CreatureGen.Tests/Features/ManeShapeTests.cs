@@ -34,7 +34,7 @@ public sealed class ManeShapeTests
             BodySkin skin = SkinOf(blueprint);
             foreach (ManeBlueprint mane in blueprint.Manes)
             {
-                Piece hair = Build(mane, skin, out List<SkinAddress> addresses);
+                Piece hair = Build(mane, skin, out List<SkinAddress> addresses, (int)seed % 3);
                 PieceChecks.IsSound(hair);
                 PieceChecks.IsSymmetric(hair);
                 Assert.Equal(hair.Positions.Length, addresses.Count);
@@ -47,6 +47,40 @@ public sealed class ManeShapeTests
                 }
             }
         }
+    }
+
+    [Fact]
+    public void Hair_is_no_coarser_than_its_room_asks_for()
+    {
+        CreatureBlueprint blueprint = Draw("lion", 1);
+        BodySkin skin = SkinOf(blueprint);
+        int[] triangles = Enumerable.Range(0, 3).Select(TrianglesAt).ToArray();
+        Assert.True(triangles[0] > triangles[1] && triangles[1] > triangles[2]);
+        Assert.Equal(0, ManeShape.CoarsenessWithin(triangles[0], blueprint.Manes));
+        Assert.Equal(1, ManeShape.CoarsenessWithin(triangles[0] - 1, blueprint.Manes));
+        Assert.Equal(1, ManeShape.CoarsenessWithin(triangles[1], blueprint.Manes));
+        Assert.Equal(2, ManeShape.CoarsenessWithin(triangles[1] - 1, blueprint.Manes));
+        Assert.Equal(2, ManeShape.CoarsenessWithin(-1, blueprint.Manes));
+        Assert.Equal(0, ManeShape.CoarsenessWithin(0, []));
+
+        int TrianglesAt(int coarseness) => blueprint.Manes.Sum(mane => Build(mane, skin, out _, coarseness).Triangles.Length / 3);
+    }
+
+    /// <summary>To cut twenty triangles out of a finished creature took several times as long as to grow it.</summary>
+    [Theory]
+    [InlineData("lion", 1)]
+    [InlineData("bison", 2)]
+    [InlineData("horse", 3)]
+    public void A_maned_creature_a_triangle_over_its_budget_has_coarser_hair_and_is_whole_otherwise(string body, ulong seed)
+    {
+        CreatureBlueprint blueprint = Draw(body, seed);
+        CreatureMesh whole = CreatureGenerator.Build(blueprint with { TriangleBudget = 100000 }).Mesh;
+        CreatureMesh tight = CreatureGenerator.Build(blueprint with { TriangleBudget = (whole.Triangles.Length / 3) - 1 }).Mesh;
+        var left = new HashSet<Vector3>(tight.Positions.ToArray());
+        int gone = whole.Positions.ToArray().Count(p => !left.Contains(p));
+        int hair = blueprint.Manes.Sum(mane => Build(mane, SkinOf(blueprint), out _).Positions.Length);
+        Assert.True(hair > 500);
+        Assert.InRange(gone, hair / 5, hair);
     }
 
     [Fact]
@@ -149,11 +183,11 @@ public sealed class ManeShapeTests
     private static float Cell(BodySkin skin, SkinAddress at) =>
         Vector3.Distance(skin[at.Ring, at.Segment], skin[Math.Min(at.Ring + 1, BodyGrid.Rings - 1), (at.Segment + 1) % BodyGrid.Segments]);
 
-    private static Piece Build(ManeBlueprint mane, BodySkin skin, out List<SkinAddress> addresses)
+    private static Piece Build(ManeBlueprint mane, BodySkin skin, out List<SkinAddress> addresses, int coarseness = 0)
     {
         addresses = new List<SkinAddress>();
         var builder = new PieceBuilder();
-        ManeShape.Append(builder, mane, skin, Vector3.One * 0.5f, addresses);
+        ManeShape.Append(builder, mane, coarseness, skin, Vector3.One * 0.5f, addresses);
         return builder.ToPiece(MaterialKind.Skin, PieceChecks.Anywhere);
     }
 
