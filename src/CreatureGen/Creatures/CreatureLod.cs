@@ -2,6 +2,7 @@ using System;
 using System.Buffers;
 using System.Collections.Generic;
 using System.Numerics;
+using CreatureGen.Geometry;
 using CreatureGen.Skinning;
 
 namespace CreatureGen.Creatures;
@@ -64,7 +65,13 @@ public sealed class CreatureLod
             }
         }
 
-        int[] left = triangles.AsSpan(0, count).ToArray();
+        // Steps have left gaps in the order in which the surface was grown.
+        int[] left = new int[count];
+        foreach (MeshPart part in parts)
+        {
+            VertexCacheOrder.Triangles(mesh.Positions.Length, triangles.AsSpan(part.FirstIndex, part.IndexCount), left.AsSpan(part.FirstIndex, part.IndexCount));
+        }
+
         ArrayPool<int>.Shared.Return(triangles);
         return new CreatureLod(mesh, left, parts, remap);
     }

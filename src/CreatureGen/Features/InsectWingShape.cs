@@ -100,9 +100,9 @@ internal static class InsectWingShape
             }
         }
 
-        for (int i = 0; i + 1 < rows; i++)
+        for (int strip = 0; strip < Strips; strip++)
         {
-            for (int strip = 0; strip < Strips; strip++)
+            for (int i = 0; i + 1 < rows; i++)
             {
                 int a = first + (i * RowLength) + (2 * strip);
                 int b = thickness > 0f ? a + RowLength : a + 1;

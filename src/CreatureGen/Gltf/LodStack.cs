@@ -43,7 +43,7 @@ internal sealed class LodStack
         };
         return options.Shading switch
         {
-            Shading.Smooth => new LodStack(QuickToDraw(stack.Mesh), stack.partCounts),
+            Shading.Smooth => stack,
             Shading.Flat => new LodStack(FlatShading.Split(stack.Mesh), stack.partCounts),
             _ => throw new ArgumentException(FormattableString.Invariant($"shading {(int)options.Shading}; expected Smooth or Flat"), nameof(options)),
         };
@@ -110,17 +110,5 @@ internal sealed class LodStack
         }
 
         return new LodStack(Mesh.With(Mesh.Triangles.ToArray(), parts), counts);
-    }
-
-    /// <summary>The same triangles in an order in which the graphics card finds most vertices still transformed.</summary>
-    private static CreatureMesh QuickToDraw(CreatureMesh mesh)
-    {
-        int[] ordered = new int[mesh.Triangles.Length];
-        foreach (MeshPart part in mesh.Parts)
-        {
-            VertexCacheOrder.Triangles(mesh.Positions.Length, mesh.Triangles.Slice(part.FirstIndex, part.IndexCount), ordered.AsSpan(part.FirstIndex, part.IndexCount));
-        }
-
-        return mesh.With(ordered, mesh.Parts);
     }
 }

@@ -66,7 +66,8 @@ internal sealed class BladeSweep
         float girth = 2f * Vec.Distance(lead(0.4f), trail(0.4f));
         int chart = surface.NewChart();
         Vector3 origin = (lead(0f) + trail(0f)) / 2f;
-        int[] previous = loop;
+        int[][] loops = new int[Sections.Length][];
+        loops[0] = loop;
         for (int q = 1; q < Sections.Length; q++)
         {
             float s = Sections[q];
@@ -89,11 +90,11 @@ internal sealed class BladeSweep
                 current[k] = surface.Add(p, address);
             }
 
-            LimbSweep.AddRing(surface, previous, current, chart, girth, Sections[q - 1] * span, s * span);
-            previous = current;
+            loops[q] = current;
         }
 
-        return previous;
+        LimbSweep.AddRings(surface, loops, Array.ConvertAll(Sections, s => s * span), chart, girth);
+        return loops[^1];
     }
 
     /// <summary>Closes the last loop with a level cap, as many rows and columns as the socket that it grew from.</summary>

@@ -75,6 +75,9 @@ internal sealed class LimbSweep
     /// <summary>Metres. Limbs that grow from the flank keep this distance from the sagittal plane.</summary>
     private const float MidlineGap = 0.004f;
 
+    /// <summary>Most quads side by side in a strip.</summary>
+    private const int MaxStrip = 7;
+
     /// <summary>Points of the path, root first.</summary>
     public Vector3[] Joints { get; set; } = Array.Empty<Vector3>();
 
@@ -152,6 +155,8 @@ internal sealed class LimbSweep
         var frames = new SweepFrame[sections];
         float[] along = new float[sections];
         int[] previous = loop;
+        int[][] loops = new int[sections][];
+        loops[0] = loop;
         int chart = surface.NewChart();
         Vector3 across = Vec.Normalize(Vec.Reject(Across, tangents[0]), Vector3.UnitX);
         for (int q = 0; q < sections; q++)
@@ -215,23 +220,40 @@ internal sealed class LimbSweep
                 current[k] = surface.Add(p, address);
             }
 
-            AddRing(surface, previous, current, chart, girth, distance[q - 1], distance[q]);
+            loops[q] = current;
             previous = current;
         }
 
+        AddRings(surface, loops, distance, chart, girth);
         return new SweepResult(previous, frames, along, length);
     }
 
-    /// <summary>Adds the quads between two loops; texture coordinates are (arc around, distance along), cut at α = 0.</summary>
-    public static void AddRing(SurfaceBuilder surface, int[] previous, int[] current, int chart, float girth, float v0, float v1)
+    /// <summary>Adds the quads between loops that follow one another; texture coordinates are (arc around, distance along), cut at α = 0.</summary>
+    /// <remarks>Quads follow one another in strips along the limb, each so narrow that two rows of its vertices fit into the smallest caches of graphics cards.</remarks>
+    /// <param name="surface">Where they go.</param>
+    /// <param name="loops">Vertices of each loop, as many in each.</param>
+    /// <param name="distance">Metres along the limb of each loop.</param>
+    /// <param name="chart">Their chart.</param>
+    /// <param name="girth">Metres around the limb, as the chart has it.</param>
+    public static void AddRings(SurfaceBuilder surface, int[][] loops, ReadOnlySpan<float> distance, int chart, float girth)
     {
-        int count = previous.Length;
-        for (int k = 0; k < count; k++)
+        int count = loops[0].Length;
+        int strips = (count + MaxStrip - 1) / MaxStrip;
+        for (int strip = 0; strip < strips; strip++)
         {
-            int next = (k + 1) % count;
-            float u0 = girth * k / count;
-            float u1 = girth * (k + 1) / count;
-            surface.Quad(previous[k], previous[next], current[next], current[k], chart, new FaceTexcoords(new Vector2(u0, v0), new Vector2(u1, v0), new Vector2(u1, v1), new Vector2(u0, v1)));
+            int end = count * (strip + 1) / strips;
+            for (int q = 1; q < loops.Length; q++)
+            {
+                int[] previous = loops[q - 1];
+                int[] current = loops[q];
+                for (int k = count * strip / strips; k < end; k++)
+                {
+                    int next = (k + 1) % count;
+                    var near = new Vector2(girth * k / count, distance[q - 1]);
+                    var far = new Vector2(girth * (k + 1) / count, distance[q]);
+                    surface.Quad(previous[k], previous[next], current[next], current[k], chart, new FaceTexcoords(near, new Vector2(far.X, near.Y), far, new Vector2(near.X, far.Y)));
+                }
+            }
         }
     }
 

@@ -100,7 +100,7 @@ public sealed class CreatureLodsTests
                     }
                 }
 
-                Assert.Equal(level.Triangles.ToArray(), kept);
+                Assert.Equal(Triples(level.Triangles.ToArray()), Triples(kept));
             }
         }
     }
@@ -221,4 +221,6 @@ public sealed class CreatureLodsTests
 
         return count;
     }
+
+    private static (int, int, int)[] Triples(IEnumerable<int> indices) => indices.Chunk(3).Select(t => (t[0], t[1], t[2])).Order().ToArray();
 }

@@ -80,17 +80,21 @@ public sealed class GlbLodTests
         Assert.StartsWith("levels 9; expected Finest, Half, Quarter, Tenth or All", e.Message, StringComparison.Ordinal);
     }
 
-    [Fact]
-    public void Triangles_are_written_in_an_order_that_a_vertex_cache_gains_from()
+    /// <summary>Veins of insects' wings have vertices of their own, so that no order spares them.</summary>
+    [Theory]
+    [InlineData(RequestedKind.Walking, 0.75)]
+    [InlineData(RequestedKind.Flying, 0.79)]
+    [InlineData(RequestedKind.Swimming, 0.75)]
+    public void Triangles_of_all_levels_are_in_an_order_that_a_vertex_cache_gains_from(RequestedKind kind, double most)
     {
-        foreach (RequestedKind kind in new[] { RequestedKind.Walking, RequestedKind.Flying, RequestedKind.Swimming })
+        for (int seed = 0; seed < (Thoroughness.IsExhaustive ? 40 : 4); seed++)
         {
-            Creature creature = LodSubjects.Of(kind, 9);
+            Creature creature = LodSubjects.Of(kind, seed);
             GlbFile file = GlbFile.Of(creature, new GltfOptions { Lods = LodChoice.All });
             for (int level = 0; level < 4; level++)
             {
-                double before = MissesPerTriangle(creature.Mesh.Lods[level].Triangles.ToArray(), 16);
-                Assert.True(MissesPerTriangle(IndicesOf(file, level), 16) < (level == 0 ? 0.8 : 1) * before, FormattableString.Invariant($"{kind} level {level}"));
+                Assert.Equal(creature.Mesh.Lods[level].Triangles.ToArray(), IndicesOf(file, level));
+                Assert.InRange(MissesPerTriangle(IndicesOf(file, level), 16), 0.5, most);
             }
         }
     }

@@ -143,25 +143,35 @@ internal sealed class ForkedSurface
         for (int f = 0; f < one.Faces.Length; f++)
         {
             Face face = one.Faces[f];
-            FaceTexcoords t = one.Texcoords[f];
-            if (!isDoubled[face.A] && !isDoubled[face.B] && !isDoubled[face.C] && !isDoubled[face.D])
-            {
-                builder.Quad(left[face.A], left[face.B], left[face.C], left[face.D], face.Chart, t);
-                continue;
-            }
+            (int a, int b, int c, int d) = IsDoubled(face)
+                ? (Corner(face.A), Corner(face.B), Corner(face.C), Corner(face.D))
+                : (left[face.A], left[face.B], left[face.C], left[face.D]);
+            builder.Quad(a, b, c, d, face.Chart, one.Texcoords[f]);
+        }
 
-            (int a, int b, int c, int d) = (Corner(face.A), Corner(face.B), Corner(face.C), Corner(face.D));
-            builder.Quad(a, b, c, d, face.Chart, t);
-            ReadOnlySpan<int> mirror = builder.Mirror.Items;
-            (a, b, c, d) = (mirror[a], mirror[b], mirror[c], mirror[d]);
-            if (face.C == face.D)
+        // The right neck behind the left one: each keeps the order of the faces, in which neighbours are near.
+        for (int f = 0; f < one.Faces.Length; f++)
+        {
+            if (IsDoubled(one.Faces[f]))
             {
-                builder.Quad(a, c, b, b, face.Chart, new FaceTexcoords(t.A, t.C, t.B, t.B));
+                AddMirrored(one.Faces[f], one.Texcoords[f]);
             }
-            else
-            {
-                builder.Quad(a, d, c, b, face.Chart, new FaceTexcoords(t.A, t.D, t.C, t.B));
-            }
+        }
+    }
+
+    private bool IsDoubled(in Face face) => isDoubled[face.A] || isDoubled[face.B] || isDoubled[face.C] || isDoubled[face.D];
+
+    private void AddMirrored(in Face face, in FaceTexcoords t)
+    {
+        ReadOnlySpan<int> mirror = builder.Mirror.Items;
+        (int a, int b, int c, int d) = (mirror[Corner(face.A)], mirror[Corner(face.B)], mirror[Corner(face.C)], mirror[Corner(face.D)]);
+        if (face.C == face.D)
+        {
+            builder.Quad(a, c, b, b, face.Chart, new FaceTexcoords(t.A, t.C, t.B, t.B));
+        }
+        else
+        {
+            builder.Quad(a, d, c, b, face.Chart, new FaceTexcoords(t.A, t.D, t.C, t.B));
         }
     }
 
