@@ -11,6 +11,8 @@ namespace CreatureGen.Features;
 /// <remarks>One builder can be cleared and used again, so that the buffers are allocated once for all pieces of a creature.</remarks>
 internal sealed class PieceBuilder
 {
+    private const int FewTriangles = 64;
+
     private Vector3[] positions = new Vector3[512];
     private Vector3[] normals = new Vector3[512];
     private Vector3[] colours = new Vector3[512];
@@ -210,11 +212,11 @@ internal sealed class PieceBuilder
         };
     }
 
-    /// <summary>The triangles in an order in which a graphics card finds most vertices still transformed. Locks of hair are so narrow that they are in one already.</summary>
+    /// <summary>The triangles in an order in which a graphics card finds most vertices still transformed. Locks of hair, and claws and other pieces as small, are so narrow that they are in one already.</summary>
     private int[] QuickToDraw()
     {
         ReadOnlySpan<int> added = triangles.AsSpan(0, IndexCount);
-        if (finish == SurfaceFinish.Hair)
+        if (finish == SurfaceFinish.Hair || IndexCount < 3 * FewTriangles)
         {
             return added.ToArray();
         }
