@@ -31,7 +31,9 @@ public struct CriticallyDampedSpring
 
         double away = Value - goal;
         double c = Rate + (frequency * away);
-        double decay = PortableMath.Exp(-frequency * seconds);
+
+        // What rests has nothing that could fade: most springs of a walker and of a fish do, and half of a flier's.
+        double decay = away == 0 && Rate == 0 ? 0 : PortableMath.Exp(-frequency * seconds);
         double gone = 1 - decay;
         Value = goal + ((away + (c * seconds)) * decay);
         Rate = (Rate - (frequency * c * seconds)) * decay;

@@ -1,4 +1,5 @@
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit.Ik;
 using CreatureGen.Rigging;
@@ -25,6 +26,8 @@ public static class PantographIk
     /// <param name="shank">Turn of the shank.</param>
     /// <param name="metatarsus">Turn of the metatarsus.</param>
     /// <exception cref="System.ArgumentException">A number is not finite, or a part has no length across the hinge.</exception>
+    /// <remarks>Written out where it is called: vectors that are handed over by value are put together by way of memory.</remarks>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static IkResult Solve(in PantographLeg leg, Vector3 target, Vector3 side, float fold, in Reach reach, out Quaternion thigh, out Quaternion shank, out Quaternion metatarsus)
     {
         Finite.Require(target, nameof(target));
