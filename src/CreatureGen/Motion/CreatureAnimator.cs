@@ -342,6 +342,7 @@ public sealed partial class CreatureAnimator
         }
 
         dt = Math.Min(dt, WalkingMode.LongestUpdate);
+        Fetch();
         events.Clear();
         actor?.ClearEvents();
         return gate.Open(ground);

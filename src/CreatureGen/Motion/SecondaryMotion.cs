@@ -39,6 +39,9 @@ internal sealed class SecondaryMotion
         }
     }
 
+    /// <summary>What is remembered of each chain.</summary>
+    public ReadOnlySpan<SpringState> States => states;
+
     /// <summary>The chains of a skeleton that swing, and how.</summary>
     public static (SpringRig[] Rigs, SpringSettings[] Settings) Of(MotionSubject subject, bool tail)
     {
