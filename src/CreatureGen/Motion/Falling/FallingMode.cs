@@ -329,8 +329,10 @@ internal sealed partial class FallingMode : ILocomotionMode
     private RootPlace Carried(in RootPlace place, in WaterReading reading, float dt, in MotionInput input, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         MotionInput possible = water != null && inner.StandsOnFeet ? water.Wade(input, reading, place, settings) : input;
-        float tau = Tau(place.Scale, settings.Gravity);
         bool stands = inner.StandsOnFeet;
+
+        // Of what nothing has happened to nothing goes by it.
+        float tau = drift.IsOver && reel == null && up == null ? 0f : Tau(place.Scale, settings.Gravity);
         BodyLayer? reeling = reel == null || !stands ? layer : reel.On(layer, dt, tau);
         RootPlace next = inner.Update(drift.IsOver ? place : drift.Carry(place, dt, tau), dt, possible, settings, ground, reeling, local);
         up?.Fade(dt, tau, local);
