@@ -1,20 +1,15 @@
-using System;
 using System.Numerics;
-using System.Runtime.InteropServices;
+using CreatureGen.Maths;
 using CreatureGen.Motion.Modes;
 using CreatureGen.Motion.Toolkit;
 using CreatureGen.Motion.Toolkit.Springs;
-using CreatureGen.Motion.Walking.Footsteps;
 
 namespace CreatureGen.Motion;
 
 /// <content>Fetches from memory what an update needs.</content>
 public sealed partial class CreatureAnimator
 {
-    /// <summary>Whole numbers in a line of memory, which processors fetch as one.</summary>
-    private const int NumbersOfLine = 16;
-
-    /// <summary>What was read, so that the compiler leaves it in; it means nothing.</summary>
+    /// <summary>What was read; it means nothing.</summary>
     private int fetched;
 
     /// <summary>
@@ -23,34 +18,23 @@ public sealed partial class CreatureAnimator
     /// </summary>
     private void Fetch()
     {
-        int read = Touch<Quaternion>(localRotations) ^ Touch<Vector3>(localPositions) ^ Touch<Quaternion>(modelRotations) ^ Touch<Vector3>(modelPositions);
-        if (settings.Detail == MotionDetail.Full)
+        if (settings.Detail == MotionDetail.Far)
         {
-            if (StandsOnFeet)
-            {
-                read ^= Touch(Legs!.Feet);
-            }
+            // It goes through its lists from end to end and does little else.
+            return;
+        }
 
-            foreach (SpringState state in secondary.States)
-            {
-                read ^= Touch<SpringBone>(state.Bones);
-            }
+        int read = MemoryLines.Touch<Quaternion>(localRotations) ^ MemoryLines.Touch<Vector3>(localPositions) ^ MemoryLines.Touch<Quaternion>(modelRotations) ^ MemoryLines.Touch<Vector3>(modelPositions);
+        if (StandsOnFeet)
+        {
+            read ^= Legs!.Fetch();
+        }
+
+        foreach (SpringState state in secondary.States)
+        {
+            read ^= MemoryLines.Touch<SpringBone>(state.Bones);
         }
 
         fetched = read;
-    }
-
-    /// <summary>Reads a number of each line that a list lies in.</summary>
-    private static int Touch<T>(ReadOnlySpan<T> list)
-        where T : struct
-    {
-        ReadOnlySpan<int> numbers = MemoryMarshal.Cast<T, int>(list);
-        int read = 0;
-        for (int i = 0; i < numbers.Length; i += NumbersOfLine)
-        {
-            read ^= numbers[i];
-        }
-
-        return read;
     }
 }
