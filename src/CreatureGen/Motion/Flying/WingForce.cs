@@ -55,10 +55,13 @@ internal sealed class WingForce
     public double At(double phase)
     {
         double y = 0;
+        PortableMath.SinCos(2 * PortableMath.Pi * phase, out double sine, out double cosine);
+        double s = sine;
+        double c = cosine;
         for (int k = 0; k < Harmonics; k++)
         {
-            PortableMath.SinCos(2 * PortableMath.Pi * (k + 1) * phase, out double s, out double c);
             y += (cosines[k] * c) + (sines[k] * s);
+            (s, c) = ((s * cosine) + (c * sine), (c * cosine) - (s * sine));
         }
 
         return y;

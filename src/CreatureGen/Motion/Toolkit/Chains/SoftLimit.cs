@@ -32,15 +32,7 @@ internal readonly struct SoftLimit
     }
 
     /// <summary>The angles of a rotation about its X and Z (swing) and Y (twist), radians.</summary>
-    public static void Angles(Quaternion q, out double x, out double twist, out double z)
-    {
-        Rotation.SwingTwist(q, Vector3.UnitY, out Quaternion swing, out Quaternion about);
-        twist = 2 * PortableMath.Atan2(about.Y, about.W);
-        double sine = Math.Sqrt(((double)swing.X * swing.X) + ((double)swing.Z * swing.Z));
-        double factor = sine < 1e-9 ? 2 : 2 * PortableMath.Atan2(sine, swing.W) / sine;
-        x = swing.X * factor;
-        z = swing.Z * factor;
-    }
+    public static void Angles(Quaternion q, out double x, out double twist, out double z) => SwingTwistLimit.Split(q, out x, out z, out twist);
 
     /// <summary>Whether a rotation is certainly left as it is: told without an inverse function.</summary>
     public bool Leaves(Quaternion q) => free.HoldSmall(q) || LeavesNear(q);
@@ -77,14 +69,7 @@ internal readonly struct SoftLimit
         return Math.Sqrt((across * across) + (aside * aside));
     }
 
-    private static Quaternion Turn(double x, double twist, double z)
-    {
-        double angle = Math.Sqrt((x * x) + (z * z));
-        PortableMath.SinCos(angle / 2, out double sine, out double cosine);
-        double fraction = angle < 1e-9 ? 0.5 : sine / angle;
-        var swing = new Quaternion((float)(x * fraction), 0f, (float)(z * fraction), (float)cosine);
-        return Rotation.Multiply(swing, Rotation.FromAxisAngle(Vector3.UnitY, twist));
-    }
+    private static Quaternion Turn(double x, double twist, double z) => Rotation.Multiply(SwingTwistLimit.Swing(x, z), AxisRotation.Yaw(twist));
 
     private static double Soft(double a, AngleRange range)
     {
