@@ -26,8 +26,7 @@ internal struct RootHeight
     /// <param name="up">Unit, world space.</param>
     public RootPlace Follow(in RootPlace placement, float legLength, BodyPlacer placer, float speed, float h, Vector3 up)
     {
-        float away = 0.5f * (placer.HindGround + placer.ForeGround);
-        float height = Part(away, legLength, speed, h);
+        float height = Part(placer.GroundUnderHips, legLength, speed, h);
         float climb = placer.Climb * speed * h;
         if (height == 0f && climb == 0f)
         {

@@ -7,10 +7,11 @@ namespace CreatureGen.Motion.Walking.Bodies;
 /// <summary>Where the joints at the ends of a trunk are seen from the feet: 0 over the middle of the hind feet, 1 over that of the fore feet. The trunk goes with the slope under its feet.</summary>
 internal readonly struct TrunkSpan
 {
-    private TrunkSpan(float rear, float front, float hind, float fore)
+    private TrunkSpan(float rear, float front, float hips, float hind, float fore)
     {
         Rear = rear;
         Front = front;
+        Hips = hips;
         Hind = hind;
         Fore = fore;
     }
@@ -20,6 +21,9 @@ internal readonly struct TrunkSpan
 
     /// <summary>The same of the fore feet.</summary>
     public float Front { get; }
+
+    /// <summary>How far the middle of all hips is ahead of half way between the two, or of the hind feet where there are no others, metres.</summary>
+    public float Hips { get; }
 
     /// <summary>Of the pelvis; below 0 where several rows count as hind feet.</summary>
     public float Hind { get; }
@@ -39,20 +43,21 @@ internal readonly struct TrunkSpan
     /// <param name="length">Of the trunk from the one to the other, metres.</param>
     public static TrunkSpan Of(LegRig[] legs, Vector3[] homes, int rows, Vector3 pelvis, Vector3 chest, float length)
     {
-        float rear = Middle(true, i => homes[i].Z);
-        float front = Middle(false, i => homes[i].Z);
+        float rear = MiddleOf(true, i => homes[i].Z);
+        float front = MiddleOf(false, i => homes[i].Z);
+        float hips = Mean(legs, leg => leg.HipRest.Z) - (rows == 1 ? rear : 0.5f * (rear + front));
         if (rows > 2)
         {
             float wide = Math.Max(front - rear, 0.1f * length);
-            return new TrunkSpan(rear, front, (pelvis.Z - rear) / wide, (chest.Z - rear) / wide);
+            return new TrunkSpan(rear, front, hips, (pelvis.Z - rear) / wide, (chest.Z - rear) / wide);
         }
 
         // Of two rows, whose feet may be farther apart than the joints, each has its own half.
-        float wheelbase = rows == 2 ? Middle(false, i => legs[i].Home.Z) - Middle(true, i => legs[i].Home.Z) : 0f;
+        float wheelbase = rows == 2 ? MiddleOf(false, i => legs[i].Home.Z) - MiddleOf(true, i => legs[i].Home.Z) : 0f;
         float fraction = Math.Min(1f, length / Math.Max(wheelbase, 1e-3f));
-        return new TrunkSpan(rear, front, 0.5f * (1f - fraction), 0.5f * (1f + fraction));
+        return new TrunkSpan(rear, front, hips, 0.5f * (1f - fraction), 0.5f * (1f + fraction));
 
-        float Middle(bool hind, Func<int, float> place)
+        float MiddleOf(bool hind, Func<int, float> place)
         {
             float sum = 0f;
             int count = 0;
@@ -64,5 +69,16 @@ internal readonly struct TrunkSpan
 
             return sum / Math.Max(count, 1);
         }
+    }
+
+    private static float Mean(LegRig[] legs, Func<LegRig, float> place)
+    {
+        float sum = 0f;
+        foreach (LegRig leg in legs)
+        {
+            sum += place(leg);
+        }
+
+        return sum / Math.Max(legs.Length, 1);
     }
 }

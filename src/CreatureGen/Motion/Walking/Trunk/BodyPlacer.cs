@@ -68,6 +68,9 @@ internal sealed class BodyPlacer
 
     public float ForeGround { get; private set; }
 
+    /// <summary>The same under the hips: they are not over the middle of the feet, and on a slope the ground there is not as high.</summary>
+    public float GroundUnderHips => (0.5f * (HindGround + ForeGround)) + (Climb * body.Span.Hips);
+
     /// <summary>Rise of the ground along the way, over some steps.</summary>
     public float Climb => way.Rise;
 
