@@ -63,6 +63,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
     private RootVelocity velocity;
     private PushedBody pushed;
     private int gait;
+    private Gait? told;
     private float activity;
     private float acceleration;
     private StandingLife life;
@@ -163,6 +164,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
     /// <inheritdoc/>
     public void Stand(in RootPlace place, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
+        told = settings.Walking.Gait;
         Stand(place, settings, ground, layer);
         Pose(place, 0f, settings, layer, null, local);
     }
@@ -170,7 +172,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
     /// <summary>Poses it as it comes down to the ground at a run: in the stride that goes with its speed, a foot of the hindmost pair about to stand.</summary>
     /// <param name="place">Where the root is.</param>
     /// <param name="speed">Metres per second ahead, of the model.</param>
-    /// <param name="foreseen">The same when it began to reach for the ground, which decides the gait: legs in the air do not change it.</param>
+    /// <param name="foreseen">The same when it began to reach for the ground, which decides the gait where none was told as it last stood: legs in the air do not change it.</param>
     /// <param name="turn">Radians per second.</param>
     /// <param name="settings">What can be set.</param>
     /// <param name="ground">Where feet find footing.</param>
@@ -189,7 +191,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
             velocity = RootVelocity.At(speed, 0f, turn);
             activity = Math.Min((speed / walking) + (0.35f * Math.Abs(turn)), 1f);
             gait = gaits.Choose(before, foreseen * foreseen / unit);
-            clock.Restart(settings.Walking.Gait ?? gaits.Steps[gait].Gait, froude, turn < 0f ? Lead.Right : Lead.Left);
+            clock.Restart(told ?? gaits.Steps[gait].Gait, froude, turn < 0f ? Lead.Right : Lead.Left);
             clock.Shape.Track = Math.Max(clock.Shape.Track, ArrivalTrack);
             clock.Phase = 0;
             clock.Slide(0f, velocity, own.Gravity, Math.Min(speed / walking, 1f), 0f, own.Walking.Stride);
@@ -256,7 +258,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
         clock.CopyFrom(mode.clock);
         planner.CopyFrom(mode.planner);
         placer.CopyFrom(mode.placer);
-        (velocity, pushed, acceleration, gait, activity, life) = (mode.velocity, mode.pushed, mode.acceleration, mode.gait, mode.activity, mode.life);
+        (velocity, pushed, acceleration, gait, told, activity, life) = (mode.velocity, mode.pushed, mode.acceleration, mode.gait, mode.told, mode.activity, mode.life);
         (standing, moving, going, arrived, ticker) = (mode.standing, mode.moving, mode.going, mode.arrived, mode.ticker);
         (activityDecay, height, raiseDecay, Sink, Bow, Raised, Facing) = (mode.activityDecay, mode.height, mode.raiseDecay, mode.Sink, mode.Bow, mode.Raised, mode.Facing);
         (underfoot, underfootDecay, sway, restless) = (mode.underfoot, mode.underfootDecay, mode.sway, mode.restless);
@@ -329,7 +331,8 @@ internal sealed partial class WalkingMode : ILocomotionMode
     {
         float ahead = velocity.SpeedAfter(Foresight);
         gait = gaits.Choose(gait, ahead > 0f ? Math.Max(froude, ahead * ahead / (settings.Gravity * body.LegLength)) : 0f);
-        Gait wanted = settings.Walking.Gait ?? gaits.Steps[gait].Gait;
+        told = settings.Walking.Gait;
+        Gait wanted = told ?? gaits.Steps[gait].Gait;
         if (ReferenceEquals(wanted, clock.Gait))
         {
             return;
@@ -342,7 +345,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
         }
         else
         {
-            clock.Change(wanted, froude, settings.Gravity, lead);
+            clock.Change(wanted, settings.Gravity, lead);
         }
     }
 

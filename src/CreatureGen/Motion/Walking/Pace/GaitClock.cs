@@ -36,9 +36,6 @@ internal sealed class GaitClock
     /// <summary>How quickly a change of that, or of how long steps are, is taken up, per second: feet would roll and fold another way at once where a gait changes.</summary>
     private const float GainRate = 8f;
 
-    /// <summary>How quickly the body takes up the tempo of another gait, per second.</summary>
-    private const float TempoRate = 15f;
-
     /// <summary>How quickly the tempo of who comes to a stand falls at most, cycles per second in a second, parts of g/leg: its last steps are short instead of slow.</summary>
     private const float TempoFall = 0.05f;
 
@@ -72,13 +69,11 @@ internal sealed class GaitClock
     private readonly float[] lags;
     private readonly float quickest;
     private float frequencyRest;
-    private float tempoRest;
-    private bool changes;
     private ExponentialDecay shapeDecay;
     private ExponentialDecay gainDecay;
     private ExponentialDecay lengthDecay;
-    private ExponentialDecay tempoDecay;
     private float gainAhead;
+    private float paceFroude;
     private Gait? measured;
     private float measuredFroude;
     private float measuredGravity;
@@ -108,17 +103,14 @@ internal sealed class GaitClock
     /// <summary>Place in the cycle, 0..1.</summary>
     public double Phase { get; set; }
 
-    /// <summary>Cycles per second.</summary>
+    /// <summary>Cycles per second: no change of gaits lets it jump, for the heights of the body's bounce and the ways of its sway go by the square of it, and feet pitch by it.</summary>
     public float Frequency { get; private set; }
-
-    /// <summary>The tempo that the body keeps, cycles per second: that of the steps, which changes at once where a gait does; the heights of its bounce and the ways of its sway go by the square of it.</summary>
-    public float Tempo => Frequency + tempoRest;
 
     /// <summary>Seconds of a cycle, 10 at most.</summary>
     public float Cycle => 1f / Math.Max(Frequency, SlowestShown);
 
-    /// <summary>Seconds of a swing by that tempo.</summary>
-    public float Swing => (1f - Duty) / Math.Max(Tempo, SlowestShown);
+    /// <summary>Seconds of a swing.</summary>
+    public float Swing => (1f - Duty) * Cycle;
 
     /// <summary>How long steps are, of those that go straight ahead on level ground at the same speed, 0..1: in a turn and on slopes they come quicker, and are shorter for it.</summary>
     public float Length { get; private set; } = 1f;
@@ -155,13 +147,11 @@ internal sealed class GaitClock
         Lead = other.Lead;
         other.lags.CopyTo(lags, 0);
         frequencyRest = other.frequencyRest;
-        tempoRest = other.tempoRest;
-        changes = other.changes;
         shapeDecay = other.shapeDecay;
         gainDecay = other.gainDecay;
         lengthDecay = other.lengthDecay;
-        tempoDecay = other.tempoDecay;
         gainAhead = other.gainAhead;
+        paceFroude = other.paceFroude;
         slope = other.slope;
         isKept = other.isKept;
         measured = other.measured;
@@ -181,8 +171,6 @@ internal sealed class GaitClock
         Shape = GaitShape.Of(gait);
         Duty = gait.Duty.At(froude);
         frequencyRest = 0f;
-        tempoRest = 0f;
-        changes = false;
         isKept = false;
         for (int i = 0; i < lags.Length; i++)
         {
@@ -190,13 +178,12 @@ internal sealed class GaitClock
         }
     }
 
-    /// <summary>Begins to go over to another gait.</summary>
-    public void Change(Gait gait, float froude, float gravity, Lead lead)
+    /// <summary>Begins to go over to another gait, at the tempo that it has: the steps are those of the speed that the body will have, and so is what differs.</summary>
+    public void Change(Gait gait, float gravity, Lead lead)
     {
-        frequencyRest += FrequencyOf(Gait, froude, gravity) - FrequencyOf(gait, froude, gravity);
+        frequencyRest += FrequencyOf(Gait, paceFroude, gravity) - FrequencyOf(gait, paceFroude, gravity);
         Gait = gait;
         Lead = lead;
-        changes = true;
     }
 
     /// <summary>Lets the numbers go on their way.</summary>
@@ -217,6 +204,7 @@ internal sealed class GaitClock
         gainAhead = dt > 0f ? gainAhead + ((gain - gainAhead) * gainDecay.Fraction(GainRate * dt)) : gain;
         speed += gainAhead;
         float froude = ((speed * speed) + (velocity.Sideways * velocity.Sideways)) / unit;
+        paceFroude = froude;
         slope = rise;
         float fraction = shapeDecay.Fraction(ShapeRate * dt);
         Shape.Approach(Gait, fraction);
@@ -231,12 +219,9 @@ internal sealed class GaitClock
         float fall = velocity.IsToStand ? TempoFall : TempoFallOfGoing;
         float kept = velocity.IsToStand || isKept ? Frequency - (fall * gravity / body.LegLength * dt) : 0f;
         isKept = kept > needed;
-        float tempo = Tempo;
         Frequency = Math.Max(Math.Max(needed, kept), SlowestGoing * (float)Math.Sqrt(gravity / body.LegLength));
         float length = Math.Min(measuredLength * straight / Frequency, 1f);
         Length = dt > 0f ? Length + ((length - Length) * lengthDecay.Fraction(GainRate * dt)) : length;
-        tempoRest = changes ? tempo - Frequency : tempoRest - (tempoRest * tempoDecay.Fraction(TempoRate * dt));
-        changes = false;
         float cycle = Frequency * dt;
         float duty = DutyInTurn(Gait, froude, velocity.Turn, unit);
         Duty += Scalar.Clamp(duty - Duty, -DutyPerCycle * cycle, DutyPerCycle * cycle);

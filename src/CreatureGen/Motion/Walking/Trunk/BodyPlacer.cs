@@ -166,7 +166,7 @@ internal sealed class BodyPlacer
         float act = context.Activity;
         Sum(clock);
         response.Tune(clock.Duty, clock.Shape.ForceDip * DipFraction(context, length));
-        float tempo = Math.Max(clock.Tempo, 0.05f);
+        float tempo = Math.Max(clock.Frequency, 0.05f);
         float omega = (float)PortableMath.Tau * tempo;
         float scale = settings.Gravity / (omega * omega);
         float cap = clock.Shape.BounceCap * length;
