@@ -13,17 +13,17 @@ namespace CreatureGen.Motion.Floating;
 /// <remarks>Times go with τ = √(ℓ/g). Based on: Catavitello, Ivanenko and Lacquaniti 2015 (dogs paddle at 1.5 to 1.7 Hz, diagonal legs nearly together).</remarks>
 internal sealed class FloatProfile
 {
-    /// <summary>Part of the trunk's height that is under water: of upright bodies, and of any body at least.</summary>
-    private const float UprightImmersion = 0.92f;
+    /// <summary>Part of the trunk's height that is under water: of upright bodies as they lie ahead, and of any body at least.</summary>
+    private const float UprightImmersion = 0.9f;
     private const float MinImmersion = 0.3f;
 
     /// <summary>Height of the trunk's line over its length from which on it is upright.</summary>
     private const float Upright = 0.7f;
 
-    /// <summary>Radians by which a trunk is held nose up at least and at most; an upright one leans ahead.</summary>
+    /// <summary>Radians by which a trunk is held nose up at least and at most; an upright one lies ahead on the water by so much.</summary>
     private const float MinPitch = 0.08f;
     private const float SteepestPitch = 0.4f;
-    private const float UprightLean = 0.3f;
+    private const float UprightLean = 1.1f;
 
     /// <summary>How far the middle of the head is to be above the surface, its radii.</summary>
     private const float HeadRoom = 0.5f;
@@ -43,13 +43,16 @@ internal sealed class FloatProfile
         ReadOnlySpan<Vector3> rest = body.TrunkRest;
         Vector3 line = rest[rest.Length - 1] - rest[0];
         bool upright = body.IsBiped && line.Y > Upright * Vec.Length(line);
-        Extent(body, body.Trunk, out Vector3 min, out Vector3 max);
-        LegStep step = body.Legs[0].Traits.Kind.Step;
-        float immersion = upright ? UprightImmersion : step.Immersion;
-        Draught = Math.Max(Math.Min(Scalar.Lerp(min.Y, max.Y, immersion), HeadHeight(body)), Scalar.Lerp(min.Y, max.Y, MinImmersion));
-        Undulation = step.Undulation;
+        Extent(body, body.Trunk, Vector3.Zero, 0f, out Vector3 min, out Vector3 max);
         Middle = (min + max) * 0.5f;
-        (Pitch, NeckPitch) = upright ? (-UprightLean, -UprightLean) : PitchOf(body);
+        LegStep step = body.Legs[0].Traits.Kind.Step;
+        Undulation = step.Undulation;
+        LiesAhead = upright;
+        float lean = upright ? UprightLean : 0f;
+        Extent(body, body.Trunk, Middle, lean, out min, out max);
+        float immersion = upright ? UprightImmersion : step.Immersion;
+        Draught = Math.Max(Math.Min(Scalar.Lerp(min.Y, max.Y, immersion), HeadHeight(body, Middle, lean)), Scalar.Lerp(min.Y, max.Y, MinImmersion));
+        (Pitch, NeckPitch) = upright ? (-lean, -lean) : PitchOf(body);
         lags = Array.ConvertAll(body.Legs, leg => LagOf(body, leg));
     }
 
@@ -68,6 +71,9 @@ internal sealed class FloatProfile
     /// <summary>How far the neck is bent down from there, radians; negative where it raises the head.</summary>
     public float NeckPitch { get; }
 
+    /// <summary>Whether it is an upright body, which lies ahead on the water and paddles with its arms too.</summary>
+    public bool LiesAhead { get; }
+
     /// <summary>How far its tail waves to either side, radians from its root to its tip.</summary>
     public float Undulation { get; }
 
@@ -77,15 +83,15 @@ internal sealed class FloatProfile
     /// <summary>Works it out.</summary>
     public static FloatProfile Of(LeggedBody body) => new(body);
 
-    /// <summary>Height of the middle of the head at rest: whose head is low swims before it is under water.</summary>
-    private static float HeadHeight(LeggedBody body)
+    /// <summary>Height of the middle of the head of a body that leans: whose head is low swims before it is under water.</summary>
+    private static float HeadHeight(LeggedBody body, Vector3 about, float lean)
     {
         if (body.Neck.Length == 0)
         {
             return float.MaxValue;
         }
 
-        Extent(body, body.Neck.AsSpan(body.Neck.Length - 1), out Vector3 min, out Vector3 max);
+        Extent(body, body.Neck.AsSpan(body.Neck.Length - 1), about, lean, out Vector3 min, out Vector3 max);
         return 0.5f * (min.Y + max.Y);
     }
 
@@ -97,7 +103,7 @@ internal sealed class FloatProfile
             return (MinPitch, 0f);
         }
 
-        Extent(body, body.Neck.AsSpan(body.Neck.Length - 1), out Vector3 min, out Vector3 max);
+        Extent(body, body.Neck.AsSpan(body.Neck.Length - 1), Vector3.Zero, 0f, out Vector3 min, out Vector3 max);
         Vector3 head = (min + max) * 0.5f;
         float ahead = Math.Max(head.Z - Middle.Z, 0.1f * body.LegLength);
         float surface = Draught + (HeadRoom * 0.5f * (max.Y - min.Y));
@@ -114,9 +120,10 @@ internal sealed class FloatProfile
         return lag - (float)Math.Floor(lag);
     }
 
-    /// <summary>Room that the flesh of some joints takes at rest.</summary>
-    private static void Extent(LeggedBody body, ReadOnlySpan<int> joints, out Vector3 min, out Vector3 max)
+    /// <summary>Room that the flesh of some joints takes at rest, leant ahead about a place by an angle.</summary>
+    private static void Extent(LeggedBody body, ReadOnlySpan<int> joints, Vector3 about, float lean, out Vector3 min, out Vector3 max)
     {
+        Quaternion turn = AxisRotation.Pitch(lean);
         Skeleton skeleton = body.Skeleton;
         min = new Vector3(float.MaxValue);
         max = new Vector3(float.MinValue);
@@ -124,21 +131,23 @@ internal sealed class FloatProfile
         {
             if (joints.IndexOf(bone.Joint) >= 0)
             {
-                Include(skeleton, bone, bone.Start, ref min, ref max);
-                Include(skeleton, bone, bone.End, ref min, ref max);
+                Include(skeleton, bone, bone.Start, about, turn, ref min, ref max);
+                Include(skeleton, bone, bone.End, about, turn, ref min, ref max);
             }
         }
 
         foreach (int joint in joints)
         {
-            min = Vec.Min(min, skeleton.ModelPositions[joint]);
-            max = Vec.Max(max, skeleton.ModelPositions[joint]);
+            Vector3 place = about + Rotation.Rotate(turn, skeleton.ModelPositions[joint] - about);
+            min = Vec.Min(min, place);
+            max = Vec.Max(max, place);
         }
     }
 
-    private static void Include(Skeleton skeleton, in CapsuleCollider bone, Vector3 end, ref Vector3 min, ref Vector3 max)
+    private static void Include(Skeleton skeleton, in CapsuleCollider bone, Vector3 end, Vector3 about, Quaternion turn, ref Vector3 min, ref Vector3 max)
     {
         Vector3 place = skeleton.ModelPositions[bone.Joint] + Rotation.Rotate(skeleton.ModelRotations[bone.Joint], end);
+        place = about + Rotation.Rotate(turn, place - about);
         var radius = new Vector3(bone.Radius);
         min = Vec.Min(min, place - radius);
         max = Vec.Max(max, place + radius);

@@ -52,6 +52,15 @@ internal sealed class PaddlePose
     private const double TailDelay = 0.45;
     private const float TailRoom = 0.5f;
 
+    /// <summary>How far ahead of where they hang arms that paddle are held in the mean, and how far to and fro they go; bend of their elbows, and how much more they bend as they come forward; radians.</summary>
+    private const float ArmAhead = 1.25f;
+    private const float ArmSweep = 0.55f;
+    private const float ElbowBend = 0.3f;
+    private const float ElbowFold = 0.5f;
+
+    /// <summary>Joints from its root on in which a tail comes down to the water behind a body that lies ahead.</summary>
+    private const int LoweredJoints = 4;
+
     /// <summary>How far from its bed a foot keeps, leg lengths.</summary>
     private const float BedRoom = 0.04f;
 
@@ -94,6 +103,12 @@ internal sealed class PaddlePose
             poser.PoseLeg(i, placer, ref feet[i], pose, 0f, 0f, local);
         }
 
+        if (profile.LiesAhead)
+        {
+            PaddleArms(stroke, local);
+            LowerTail(1f - stroke.Reach, local);
+        }
+
         LevelHead(1f - stroke.Reach, local);
         WaveTail(stroke, local);
     }
@@ -118,11 +133,7 @@ internal sealed class PaddlePose
 
     private FootPose PoseOf(LegRig leg, in PaddleStroke stroke, float lag, in RootPlace place, Vector3 up, IGround bed)
     {
-        double phase = stroke.Phase - lag;
-        phase -= Math.Floor(phase);
-        bool back = phase < PowerPart;
-        double progress = back ? phase / PowerPart : (phase - PowerPart) / (1 - PowerPart);
-        double turn = PortableMath.Pi * (back ? progress : 1 + progress);
+        double turn = TurnAt(stroke.Phase - lag, out bool back, out double progress);
         PortableMath.SinCos(turn, out double sine, out double cosine);
         float inner = Math.Max(leg.Side == Side.Left ? stroke.Steer : -stroke.Steer, 0f);
         float swims = 1f - stroke.Reach;
@@ -151,6 +162,50 @@ internal sealed class PaddlePose
         }
 
         return pose;
+    }
+
+    /// <summary>Where on its oval a foot or a hand is, radians: 0 ahead, π behind.</summary>
+    /// <param name="phase">Its place in its own cycle.</param>
+    /// <param name="back">Whether it goes back.</param>
+    /// <param name="progress">How far it has come there or forward, 0..1.</param>
+    private static double TurnAt(double phase, out bool back, out double progress)
+    {
+        phase -= Math.Floor(phase);
+        back = phase < PowerPart;
+        progress = back ? phase / PowerPart : (phase - PowerPart) / (1 - PowerPart);
+        return PortableMath.Pi * (back ? progress : 1 + progress);
+    }
+
+    /// <summary>Each arm goes with the leg of the other side: back and down stretched, forward with its elbow bent.</summary>
+    private void PaddleArms(in PaddleStroke stroke, in Pose local)
+    {
+        float swims = 1f - stroke.Reach;
+        foreach (ArmShape arm in body.Arms)
+        {
+            PortableMath.SinCos(TurnAt(stroke.Phase - (arm.Side == Side.Left ? 0.5 : 0), out _, out _), out double sine, out double cosine);
+            float inner = Math.Max(arm.Side == Side.Left ? stroke.Steer : -stroke.Steer, 0f);
+            float ahead = ArmAhead + (ArmSweep * stroke.Width * (1f - (Steering * inner)) * (float)cosine);
+            float bend = ElbowBend + (ElbowFold * Math.Max(-(float)sine, 0f));
+            Bend(arm.Shoulder, -swims * ahead, local);
+            Bend(arm.Elbow, -swims * bend, local);
+        }
+    }
+
+    /// <summary>The tail takes back the pitch of the trunk, which would raise it into the air.</summary>
+    private void LowerTail(float swims, in Pose local)
+    {
+        int count = Math.Min(body.Tail.Length, LoweredJoints);
+        for (int i = 0; i < count; i++)
+        {
+            Bend(body.Tail[i], swims * profile.Pitch / count, local);
+        }
+    }
+
+    /// <summary>Pitches a joint as it stands, as far as its limits let it.</summary>
+    private void Bend(int joint, float pitch, in Pose local)
+    {
+        body.Turns.Set(local, joint, Rotation.Multiply(AxisRotation.Pitch(pitch), body.Turns.Of(local, joint)));
+        local.Rotations[joint] = SwingTwistLimit.ClampLocal(local.Rotations[joint], body.Skeleton.Joints[joint]);
     }
 
     /// <summary>Height of the lowest that a foot may come to at a place, model space.</summary>

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
+using CreatureGen.Anatomy;
 using CreatureGen.Creatures;
 using CreatureGen.Motion;
 using CreatureGen.Motion.Metrics;
@@ -134,6 +135,39 @@ public sealed class WaterTests
 
         Assert.Equal(BodyState.Afloat, animator.State);
         Assert.InRange(animator.Speed, 0.55f, 0.65f);
+    }
+
+    /// <summary>Upright bodies hung in the water as they stand, with still arms.</summary>
+    [Theory]
+    [InlineData(1UL)]
+    [InlineData(2UL, Explicit = true)]
+    public void An_upright_body_lies_ahead_on_deep_water_its_tail_on_the_surface_and_paddles_with_its_arms(ulong seed)
+    {
+        MotionProfile profile = new(Walkers.Of(BodyPlan.Upright, seed));
+        float leg = profile.LegLength;
+        var sea = new WaterGround(new FlatGround(new Vector3(0f, -30f * leg, 0f), Vector3.UnitY), Vector3.Zero, Vector3.UnitY);
+        var animator = new CreatureAnimator(profile);
+        animator.Teleport(new RootPlace(new Vector3(0f, -profile.Float!.Draught, 0f), Quaternion.Identity), sea);
+        var input = new MotionInput(MathF.Sqrt(Gravity * leg));
+        Go(animator, 4f, input, sea);
+        Assert.Equal(BodyState.Afloat, animator.State);
+        int[] trunk = profile.Legs!.Trunk;
+        int hand = profile.Legs.Arms[0].Wrist;
+        float least = float.MaxValue;
+        float most = float.MinValue;
+        for (int i = 0; i < 180; i++)
+        {
+            Go(animator, Frame, input, sea);
+            Vector3[] at = animator.ModelPose.Positions.ToArray();
+            Vector3 back = at[trunk[^1]] - at[trunk[0]];
+            Assert.True(back.Z > back.Y, $"its back points {back}");
+            Assert.True(at[profile.Legs.Tail[^1]].Y < at[trunk[^1]].Y + (0.3f * leg), "its tail is in the air");
+            least = Math.Min(least, at[hand].Z - at[trunk[^1]].Z);
+            most = Math.Max(most, at[hand].Z - at[trunk[^1]].Z);
+        }
+
+        Assert.True(most > 0f, $"it does not reach ahead: {most}");
+        Assert.True(most - least > 0.15f * leg, $"its hand goes by {most - least}");
     }
 
     [Fact]

@@ -1,9 +1,11 @@
 using System;
 using System.Numerics;
+using CreatureGen.Anatomy;
 using CreatureGen.Motion;
 using CreatureGen.Motion.Metrics;
 using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Motion.Walking.Footsteps;
+using CreatureGen.Motion.Walking.Legs;
 using CreatureGen.Motion.Walking.Pace;
 using Xunit;
 
@@ -51,6 +53,33 @@ public sealed class SteadySlopeTests
                 Assert.True(report.MeanPenetration <= 0.004f * leg, $"{name}: sunk {report.MeanPenetration / leg} leg lengths");
                 Assert.True(report.Slip <= 0.004f * leg, $"{name}: slip {report.Slip / leg} leg lengths");
             }
+        }
+    }
+
+    /// <summary>The root kept to the ground under the middle of the feet, which stand ahead of the hips: up stairs that was a quarter of a leg too high.</summary>
+    [Theory]
+    [InlineData(BodyPlan.Hexapod)]
+    [InlineData(BodyPlan.ManyLegged)]
+    [InlineData(BodyPlan.Sprawling, Explicit = true)]
+    [InlineData(BodyPlan.Theropod)]
+    [InlineData(BodyPlan.Unguligrade, Explicit = true)]
+    public void Up_and_down_a_slope_the_root_is_on_the_ground_under_the_hips(BodyPlan plan)
+    {
+        foreach (float degrees in new[] { 17f, -17f })
+        {
+            FlatGround ground = Slope(degrees);
+            var profile = new MotionProfile(Walkers.Of(plan, 300));
+            var animator = new CreatureAnimator(profile);
+            animator.Teleport(new RootPlace(Vector3.Zero, Quaternion.Identity), ground);
+            Walkers.Run(animator, 3f, Rate, new MotionInput(0.5f * profile.Gaits!.TopSpeed), ground);
+            float away = 0f;
+            foreach (LegRig leg in profile.Legs!.Legs)
+            {
+                Vector3 hip = animator.Root.ToWorld(new Vector3(leg.HipRest.X, 0f, leg.HipRest.Z));
+                away += (hip.Y - (hip.Z * MathF.Tan(degrees * MathF.PI / 180f))) / profile.Legs.Legs.Length;
+            }
+
+            Assert.InRange(away / profile.LegLength, -0.06f, 0.06f);
         }
     }
 
