@@ -13,11 +13,11 @@ namespace CreatureGen.Limbs;
 /// <summary>Grows a pair of fins or flippers out of the flanks.</summary>
 internal static class PectoralGrower
 {
-    /// <summary>Share of the length over which a fin goes over from its socket to its outline.</summary>
-    private const float Rooted = 0.3f;
+    /// <summary>Share of the length over which a fin goes over from its socket to its outline, fast at first: where it comes into it late, its edges have a corner there, and a stalk before it.</summary>
+    private const float Rooted = 0.5f;
 
     /// <summary>Share of the length from which on the edges draw together in half an ellipse, so that no tip is cut off straight, and what is left of the chord at its end.</summary>
-    private const float RoundedFrom = 0.72f;
+    private const float RoundedFrom = 0.55f;
     private const float Tip = 0.1f;
 
     /// <summary>Where along the chord they meet: near the leading edge, or the corner behind the tip of a swept fin would be cut off straight.</summary>
@@ -77,10 +77,16 @@ internal static class PectoralGrower
         float Tipward(float s) => Scalar.Lerp(-LeadOf(s), TrailOf(s), TipChord);
         float LeadOf(float s) => form is null
             ? (root * (1f - s)) + (0.05f * length * (float)PortableMath.Sin(PortableMath.Pi * s))
-            : Scalar.Lerp(root, -length * Stretch(form) * (float)form.LeadAt(s), Scalar.Smooth(s / Rooted));
+            : Scalar.Lerp(root, -length * Stretch(form) * (float)form.LeadAt(s), Grown(s));
         float TrailOf(float s) => form is null
             ? (root * (1f - s)) + Depth(s)
-            : Scalar.Lerp(root, length * Stretch(form) * (float)form.TrailAt(s), Scalar.Smooth(s / Rooted));
+            : Scalar.Lerp(root, length * Stretch(form) * (float)form.TrailAt(s), Grown(s));
+        float Grown(float s)
+        {
+            float x = Math.Max(0f, 1f - (s / Rooted));
+            return 1f - (x * x);
+        }
+
         float Rounded(float s)
         {
             float x = Math.Max(0f, (s - RoundedFrom) / (1f - RoundedFrom));

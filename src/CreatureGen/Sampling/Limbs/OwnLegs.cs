@@ -91,6 +91,9 @@ internal static class OwnLegs
     private const double PaddleThickness = 0.22;
     private const double PaddleFoot = 1.1;
 
+    /// <summary>Length of the forelegs of a swimmer that has no others, relative to those of one on four: as long as these they are the legs of a walker under a fish.</summary>
+    private const double ArmsAlone = 0.8;
+
     /// <summary>Hangs the legs of a swimmer that has any: before a tail fin that drives it hind legs would hang in its way, as whales and sea cows know.</summary>
     public static void Paddle(CreatureBuilder builder, LegStyle style)
     {
@@ -104,6 +107,7 @@ internal static class OwnLegs
         SpineMeasure measure = LegSampler.Measure(builder);
         double reach = CreatureBuilder.Between(builder.Stream("reach"), preset.Reach);
         bool frontOnly = FinSampler.IsDrivenByTailFin(builder) && builder.MinLegPairs < preset.Sites.Length;
+        double length = frontOnly ? Scalar.Lerp(1, ArmsAlone, builder.Fitting) : 1;
         foreach (LegSite site in preset.Sites)
         {
             if (frontOnly && site.Ring > BodyGrid.AnchorRing)
@@ -115,7 +119,7 @@ internal static class OwnLegs
             double thickness = Math.Max(preset.Thickness * site.Thickness, PaddleThickness * section.Thickness);
             SocketBlueprint socket = SocketSizing.Size(
                 site.Ring, site.Segment, thickness, thickness * 0.8, section.RingSpacing, SocketSizing.SegmentSpacing(section.HipWidth, section.Thickness), style.Toes, SocketBounds.Limb);
-            LegSampler.Add(builder, style, site.Archetype, LegStance.Hanging, socket, thickness, preset.HangingLength, reach * site.Reach, site.Azimuth, 0, SocketBounds.Limb.Pad);
+            LegSampler.Add(builder, style, site.Archetype, LegStance.Hanging, socket, thickness, length * preset.HangingLength, length * reach * site.Reach, site.Azimuth, 0, SocketBounds.Limb.Pad);
         }
     }
 
