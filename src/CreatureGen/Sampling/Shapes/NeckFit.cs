@@ -13,6 +13,9 @@ internal static class NeckFit
     // How steeply a neck is held up at most, degrees, a thick one and a slender one, of a swimmer and of others, and the breadths between them, in breadths of the chest.
     private const double SteepestThickInWater = 5;
     private const double SteepestSlenderInWater = 40;
+
+    /// <summary>The same of a slender neck of what is driven by its tail: held up higher its head is a knob before a bulge.</summary>
+    private const double SteepestDriven = 14;
     private const double SteepestThick = 38;
     private const double SteepestSlender = 64;
     private const double ThickNeck = 0.8;
@@ -35,7 +38,7 @@ internal static class NeckFit
 
         BodyShape shape = StanceSampler.ShapeOf(builder);
         double slender = Scalar.Smooth((ThickNeck - (shape.Width[StationRing.NeckMiddle] / shape.Width[StationRing.Ribs])) / (ThickNeck - SlenderNeck));
-        double steepest = builder.Kind == LocomotionKind.Swimming ? Scalar.Lerp(SteepestThickInWater, SteepestSlenderInWater, slender) : Scalar.Lerp(SteepestThick, SteepestSlender, slender);
+        double steepest = builder.Kind == LocomotionKind.Swimming ? Scalar.Lerp(SteepestThickInWater, builder.Plan is BodyPlan.Fish or BodyPlan.Whale ? SteepestDriven : SteepestSlenderInWater, slender) : Scalar.Lerp(SteepestThick, SteepestSlender, slender);
         bool behind = builder.Kind != LocomotionKind.Swimming && !(builder.Plan == BodyPlan.Flapping && builder.Species.Class == AnimalClass.Bird);
         double rise = PortableMath.Atan2(shape.Y[StationRing.Cranium] - shape.Y[StationRing.NeckBase], shape.Z[StationRing.Cranium] - shape.Z[StationRing.NeckBase]);
         double carried = Math.Min(rise + (behind ? Hidden(shape, builder.Species.Class == AnimalClass.Arthropod ? MostRaisedOfInsect : MostRaised) : 0), Scalar.Radians(steepest));

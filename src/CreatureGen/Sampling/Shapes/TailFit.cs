@@ -51,8 +51,9 @@ internal static class TailFit
     /// <summary>The same of a bare tail of a flier: a level one is not seen from behind, and the rump is a block.</summary>
     private const double FlownDegrees = 23;
 
-    /// <summary>The same of a swimmer's with flukes or without a fin, within what its spine may slope.</summary>
+    // The same of a swimmer's with flukes, within what its spine may slope, and of one without a fin, which runs out in a point.
     private const double FlukeDegrees = 9;
+    private const double FinlessDegrees = 15;
 
     // How far a tail that rolls up on a mixed body comes down before it does, degrees, behind legs under the body and behind others: one that rises from its root on is a spike over the back from behind.
     private const double RolledFallDegrees = 64;
@@ -86,6 +87,9 @@ internal static class TailFit
     // The same of a swimmer that is driven by its tail, and longest factor on a tail that it asks for: on a short one the trunk ends in a wall with a fin on it.
     private const double LeastDriven = 0.5;
     private const double LongestDriven = 3.6;
+
+    /// <summary>The same of one that rows, without a shell: behind a short tail its rump is a ball with a nipple.</summary>
+    private const double LeastRowing = 0.48;
 
     /// <summary>Least girth that is left of a tail.</summary>
     private const double MinGirth = 0.5;
@@ -151,16 +155,17 @@ internal static class TailFit
         };
     }
 
-    /// <summary>The proportions with a longer tail of a swimmer that is driven by it, before its trunk is fitted to the length that is left to it.</summary>
+    /// <summary>The proportions with a longer tail of a swimmer that is driven by it or would have a stub, before its trunk is fitted to the length that is left to it.</summary>
     public static BodyProportions Drive(CreatureBuilder builder)
     {
         BodyProportions drawn = builder.Proportions;
-        if (builder.Plan is not (BodyPlan.Fish or BodyPlan.Whale or BodyPlan.Eel) || builder.Species.Disc.Sweep != 0)
+        bool rows = builder.Plan == BodyPlan.Flipper && builder.Shell.Style == ShellStyle.None;
+        if (!(rows || builder.Plan is BodyPlan.Fish or BodyPlan.Whale or BodyPlan.Eel) || builder.Species.Disc.Sweep != 0)
         {
             return drawn;
         }
 
-        double lacks = PortableMath.Pow(Math.Max(1, LeastDriven / LengthOf(StanceSampler.ShapeOf(builder))), builder.Fitting);
+        double lacks = PortableMath.Pow(Math.Max(1, (rows ? LeastRowing : LeastDriven) / LengthOf(StanceSampler.ShapeOf(builder))), builder.Fitting);
         return drawn with { Tail = Math.Max(drawn.Tail, Math.Min(LongestDriven, drawn.Tail * lacks)) };
     }
 
@@ -227,7 +232,7 @@ internal static class TailFit
     {
         if (builder.Tail.Style is TailStyle.Fluke or TailStyle.Plain && builder.Species.Disc.Sweep == 0)
         {
-            double lacks = builder.Fitting * Math.Max(0, Scalar.Radians(FlukeDegrees) - Fall(builder));
+            double lacks = builder.Fitting * Math.Max(0, Scalar.Radians(builder.Tail.Style == TailStyle.Plain ? FinlessDegrees : FlukeDegrees) - Fall(builder));
             builder.Posture = builder.Posture with { Tail = builder.Posture.Tail + lacks };
             builder.Drawn = builder.Drawn with { Tail = builder.Drawn.Tail + lacks };
         }

@@ -69,6 +69,10 @@ internal static class TrunkFit
     private const int ThroatFirst = 14;
     private const int ThroatStep = 4;
 
+    // The part of what a fish's or a whale's neck lacks to the line from its head to its ribs that it grows by, and most of it: behind a hollow one the head is a knob before a bulge.
+    private const double HollowFilled = 0.7;
+    private const double MostHollow = 1.5;
+
     // Deepest swimmer in lengths from the base of its neck to the pelvis, that of those that swim by winding, and the part of what is too much by which its depth gives way; the rest is girth.
     private const double DeepestSwimmer = 0.56;
     private const double DeepestWinding = 0.42;
@@ -218,6 +222,7 @@ internal static class TrunkFit
         TrunkOutline outline = TrunkOutline.Of(shape);
         double deep = Math.Max(1, outline.Depth / (outline.Length * (builder.Plan == BodyPlan.Eel ? DeepestWinding : DeepestSwimmer)));
         double step = Math.Min(MostThroat, Math.Max(1, Throat(shape) / SteepestThroat));
+        double hollow = builder.Plan is BodyPlan.Fish or BodyPlan.Whale ? Math.Min(MostHollow, Hollow(shape)) : 1;
         double corner = Scalar.Clamp(shape.Top[StationRing.NeckBase] / shape.Top[BehindShoulder], 1, MostRisen);
         double edge = builder.Species.Class == AnimalClass.Fish ? 1 : Math.Max(1, Narrowness(shape) / Edgewise);
         bool armoured = builder.Species.Disc.Sweep != 0 || builder.Shell.Style != ShellStyle.None;
@@ -241,7 +246,7 @@ internal static class TrunkFit
             Hump = drawn.Hump * PortableMath.Pow(corner, ShoulderRises * strange),
             Girth = drawn.Girth * PortableMath.Pow(deep, (Shallower - 1) * strange) * PortableMath.Pow(step, -BellyGives * strange),
             Chest = drawn.Chest * PortableMath.Pow(step, -ChestGives * strange),
-            NeckGirth = drawn.NeckGirth * PortableMath.Pow(step, NeckGrows * strange),
+            NeckGirth = drawn.NeckGirth * PortableMath.Pow(step, NeckGrows * strange) * PortableMath.Pow(hollow, HollowFilled * strange),
             Belly = drawn.Belly * PortableMath.Pow(thin, BellyFollows * strange),
             Rump = drawn.Rump * PortableMath.Pow(thin, strange),
             TailGirth = drawn.TailGirth * Scalar.Clamp(PortableMath.Pow(wanted / root, strange), MinRoot, MaxRoot),
@@ -271,6 +276,21 @@ internal static class TrunkFit
         }
 
         return steepest;
+    }
+
+    /// <summary>How many times as thick as it is a neck would be on the line from the head to the ribs, at least 1.</summary>
+    private static double Hollow(BodyShape shape)
+    {
+        double hollow = 1;
+        double head = Math.Max(Size(shape, StationRing.Brow), Size(shape, StationRing.Cranium));
+        double ribs = Size(shape, StationRing.Ribs);
+        for (int ring = StationRing.Nape; ring <= StationRing.NeckBase; ring++)
+        {
+            double fraction = (shape.Arc[ring] - shape.Arc[StationRing.Cranium]) / (shape.Arc[StationRing.Ribs] - shape.Arc[StationRing.Cranium]);
+            hollow = Math.Max(hollow, Scalar.Lerp(head, ribs, fraction) / Size(shape, ring));
+        }
+
+        return hollow;
     }
 
     /// <summary>Radius of a section, metres.</summary>
