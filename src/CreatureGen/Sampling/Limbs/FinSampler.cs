@@ -19,8 +19,11 @@ internal static class FinSampler
     /// <summary>Longest paired fin that is drawn, metres at scale 1: that of turtles; a longer one is a stilt from the side.</summary>
     private const double MaxPairLength = 0.75;
 
-    /// <summary>Deepest paired fin that is drawn, metres at scale 1: a long one that is deeper is a slab with a corner before the shoulder.</summary>
-    private const double MaxPairDepth = 0.42;
+    /// <summary>Deepest paired fin that is drawn, metres at scale 1: a long one that is deeper is a slab with a corner before the shoulder, and a racket from the front.</summary>
+    private const double MaxPairDepth = 0.35;
+
+    /// <summary>Deepest paddle, relative to its length: a deeper one is a mitten.</summary>
+    private const double MaxPaddle = 0.56;
 
     /// <summary>Depth of a paddle that is as deep as the plan says, relative to its length.</summary>
     private const double PaddleWidth = 0.5;
@@ -110,7 +113,7 @@ internal static class FinSampler
                 double drawn = size * length * LengthOf(fin.Style) * fin.Scale.X;
                 double shorter = Scalar.Lerp(1, Math.Min(1, MaxPairLength / drawn), builder.Fitting);
                 double depth = Math.Min(MaxWidth, width * slender * fin.Scale.Z / shorter);
-                depth = Scalar.Lerp(depth, Math.Min(depth, MaxPairDepth / (shorter * drawn)), builder.Fitting);
+                depth = DepthOf(builder, depth, shorter * drawn, fin.Style);
                 builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, fin.Socket, shorter * drawn, depth, DropOf(builder, hang, sweep, fin.Style, fin.Socket), sweep));
             }
             else
@@ -182,7 +185,7 @@ internal static class FinSampler
             bool crowded = builder.Legs.Count > 0 && (!builder.Sockets.IsFree(socket, 0) || (fin.Place == FinPlace.Pectoral && IsBehindLeg(builder, socket)));
             if (!crowded && builder.Sockets.TryReserve(socket, 0))
             {
-                builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, socket, length, fin.Place == FinPlace.Pectoral ? width : 0, DropOf(builder, fin.Drop, sweep, fin.Style, socket), sweep));
+                builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, socket, length, fin.Place == FinPlace.Pectoral ? DepthOf(builder, width, length, fin.Style) : 0, DropOf(builder, fin.Drop, sweep, fin.Style, socket), sweep));
             }
         }
 
@@ -202,6 +205,10 @@ internal static class FinSampler
             builder.Fins.Add(new FinBlueprint(FinPlace.Dorsal, style, socket, height, 0, 0, SweepOf(style)));
         }
     }
+
+    /// <summary>Depth of a paired fin, relative to its length.</summary>
+    private static double DepthOf(CreatureBuilder builder, double drawn, double length, FinStyle style) =>
+        Scalar.Lerp(drawn, Math.Min(Math.Min(drawn, MaxPairDepth / length), style == FinStyle.Paddle ? MaxPaddle : MaxWidth), builder.Fitting);
 
     /// <summary>How far paired fins hang down that hang so far on an animal.</summary>
     private static double DropOf(CreatureBuilder builder, double hang, double sweep, FinStyle style, SocketBlueprint socket)

@@ -55,6 +55,11 @@ internal static class TailFit
     private const double FlukeDegrees = 9;
     private const double FinlessDegrees = 15;
 
+    // How far a fluke itself comes down at least and at most, and the part of a bend of the whole tail that shows in it: steeper ones are tents from behind, and those that turn up are bowls.
+    private const double FlattestFluke = 7;
+    private const double SteepestFluke = 14;
+    private const double BendAtFluke = 0.75;
+
     // How far a tail that rolls up on a mixed body comes down before it does, degrees, behind legs under the body and behind others: one that rises from its root on is a spike over the back from behind.
     private const double RolledFallDegrees = 64;
     private const double RolledFallOnOthers = 54;
@@ -235,7 +240,24 @@ internal static class TailFit
             double lacks = builder.Fitting * Math.Max(0, Scalar.Radians(builder.Tail.Style == TailStyle.Plain ? FinlessDegrees : FlukeDegrees) - Fall(builder));
             builder.Posture = builder.Posture with { Tail = builder.Posture.Tail + lacks };
             builder.Drawn = builder.Drawn with { Tail = builder.Drawn.Tail + lacks };
+            Straighten(builder);
         }
+    }
+
+    /// <summary>Bends a tail until its fluke lies nearly level.</summary>
+    private static void Straighten(CreatureBuilder builder)
+    {
+        if (builder.Tail.Style != TailStyle.Fluke)
+        {
+            return;
+        }
+
+        BodyShape shape = StanceSampler.ShapeOf(builder);
+        double fluke = PortableMath.Atan2(shape.Y[StationRing.TailThird] - shape.Y[LastOfTail], shape.Z[StationRing.TailThird] - shape.Z[LastOfTail]);
+        double lacks = Scalar.Clamp(fluke, Scalar.Radians(FlattestFluke), Scalar.Radians(SteepestFluke)) - fluke;
+        double bend = builder.Fitting * lacks / (BendAtFluke * BodyGrid.TailBones);
+        builder.Posture = builder.Posture with { TailBend = builder.Posture.TailBend + bend };
+        builder.Drawn = builder.Drawn with { TailBend = builder.Drawn.TailBend + bend };
     }
 
     /// <summary>Length of the tail against the trunk.</summary>
@@ -294,7 +316,7 @@ internal static class TailFit
     public static ValueList<LatticeSlice> RunOut(CreatureBuilder builder)
     {
         LatticeSlice[] slices = builder.Slices.ToArray();
-        if (builder.Tail.Style != TailStyle.Plain || builder.Species.Disc.Sweep != 0)
+        if (builder.Tail.Style != TailStyle.Plain)
         {
             return builder.Slices;
         }
