@@ -17,7 +17,7 @@ internal static class TailShaper
 
     /// <summary>The ring from which on a fluke spreads, its greatest length along the spine, in half of its span, and how much of its span is reached before its middle: its leading edge bends back to pointed tips.</summary>
     private const int FlukeFirst = 47;
-    private const double LongestFluke = 1.1;
+    internal const double LongestFluke = 1.1;
     private const double FlukeBend = 0.45;
 
     /// <summary>What is left of the thickness of a stalk where its fin opens that is longer than the fin.</summary>

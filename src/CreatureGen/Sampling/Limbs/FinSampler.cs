@@ -93,7 +93,7 @@ internal static class FinSampler
         double sweep = random.Uniform(0.4, 0.8);
         foreach (FinPlacement fin in placement.Fins)
         {
-            if ((fin.Place == FinPlace.Pectoral && IsBehindLeg(builder, fin.Socket)) || !builder.Sockets.TryReserve(fin.Socket, 0))
+            if ((fin.Place == FinPlace.Pectoral && IsBesideLeg(builder, fin.Socket)) || !builder.Sockets.TryReserve(fin.Socket, 0))
             {
                 continue;
             }
@@ -161,9 +161,9 @@ internal static class FinSampler
         builder.Plan = pairs >= need ? builder.Plan : pairs > 0 ? BodyPlan.Fish : BodyPlan.Eel;
     }
 
-    /// <summary>Whether a place for a fin is close behind a leg, which lies back over it in the water.</summary>
-    private static bool IsBehindLeg(CreatureBuilder builder, SocketBlueprint socket) =>
-        builder.Legs.Exists(leg => leg.Socket.Ring < socket.Ring && socket.Ring - leg.Socket.Ring < UnderLegs);
+    /// <summary>Whether a place for a fin is close behind a leg, which lies back over it in the water, or close before one, which is in its stead.</summary>
+    private static bool IsBesideLeg(CreatureBuilder builder, SocketBlueprint socket) =>
+        builder.Legs.Exists(leg => Math.Abs(socket.Ring - leg.Socket.Ring) < UnderLegs);
 
     /// <summary>The fins that a species always has.</summary>
     private static void Own(CreatureBuilder builder, RandomStream random, FinPreset preset)
@@ -182,7 +182,7 @@ internal static class FinSampler
             };
 
             // Fins of one species and legs of another may want the same place: the legs were first.
-            bool crowded = builder.Legs.Count > 0 && (!builder.Sockets.IsFree(socket, 0) || (fin.Place == FinPlace.Pectoral && IsBehindLeg(builder, socket)));
+            bool crowded = builder.Legs.Count > 0 && (!builder.Sockets.IsFree(socket, 0) || (fin.Place == FinPlace.Pectoral && IsBesideLeg(builder, socket)));
             if (!crowded && builder.Sockets.TryReserve(socket, 0))
             {
                 builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, socket, length, fin.Place == FinPlace.Pectoral ? DepthOf(builder, width, length, fin.Style) : 0, DropOf(builder, fin.Drop, sweep, fin.Style, socket), sweep));

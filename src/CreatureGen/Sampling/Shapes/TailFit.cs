@@ -55,10 +55,12 @@ internal static class TailFit
     private const double FlukeDegrees = 9;
     private const double FinlessDegrees = 15;
 
-    // How far a fluke itself comes down at least and at most, and the part of a bend of the whole tail that shows in it: steeper ones are tents from behind, and those that turn up are bowls.
+    // How far a fluke itself comes down at least and at most, how far the tail before it does at most, the part of a bend of the whole tail that shows in its fluke, and how often both are set by turns: steeper flukes are tents from behind, and those that turn up are bowls on posts.
     private const double FlattestFluke = 7;
     private const double SteepestFluke = 14;
-    private const double BendAtFluke = 0.75;
+    private const double SteepestStalk = 12;
+    private const double BendAtFluke = 0.8;
+    private const int Rounds = 3;
 
     // How far a tail that rolls up on a mixed body comes down before it does, degrees, behind legs under the body and behind others: one that rises from its root on is a spike over the back from behind.
     private const double RolledFallDegrees = 64;
@@ -244,20 +246,25 @@ internal static class TailFit
         }
     }
 
-    /// <summary>Bends a tail until its fluke lies nearly level.</summary>
+    /// <summary>Bends a tail until its fluke lies nearly level, and carries it so that it comes down no farther for it.</summary>
     private static void Straighten(CreatureBuilder builder)
     {
-        if (builder.Tail.Style != TailStyle.Fluke)
+        for (int round = 0; round < Rounds && builder.Tail.Style == TailStyle.Fluke; round++)
         {
-            return;
-        }
+            BodyShape shape = StanceSampler.ShapeOf(builder);
+            int first = StationRing.TailThird;
+            while (first < StationRing.TailTwoThirds && shape.Arc[LastOfTail] - shape.Arc[first] > TailShaper.LongestFluke * builder.Tail.Size)
+            {
+                first++;
+            }
 
-        BodyShape shape = StanceSampler.ShapeOf(builder);
-        double fluke = PortableMath.Atan2(shape.Y[StationRing.TailThird] - shape.Y[LastOfTail], shape.Z[StationRing.TailThird] - shape.Z[LastOfTail]);
-        double lacks = Scalar.Clamp(fluke, Scalar.Radians(FlattestFluke), Scalar.Radians(SteepestFluke)) - fluke;
-        double bend = builder.Fitting * lacks / (BendAtFluke * BodyGrid.TailBones);
-        builder.Posture = builder.Posture with { TailBend = builder.Posture.TailBend + bend };
-        builder.Drawn = builder.Drawn with { TailBend = builder.Drawn.TailBend + bend };
+            double fluke = PortableMath.Atan2(shape.Y[first] - shape.Y[LastOfTail], shape.Z[first] - shape.Z[LastOfTail]);
+            double bend = builder.Fitting * (Scalar.Clamp(fluke, Scalar.Radians(FlattestFluke), Scalar.Radians(SteepestFluke)) - fluke) / (BendAtFluke * BodyGrid.TailBones);
+            builder.Posture = builder.Posture with { TailBend = builder.Posture.TailBend + bend };
+            double rise = builder.Fitting * Math.Max(0, Fall(builder) - Scalar.Radians(SteepestStalk));
+            builder.Posture = builder.Posture with { Tail = builder.Posture.Tail - rise };
+            builder.Drawn = builder.Drawn with { Tail = builder.Drawn.Tail - rise, TailBend = builder.Drawn.TailBend + bend };
+        }
     }
 
     /// <summary>Length of the tail against the trunk.</summary>
