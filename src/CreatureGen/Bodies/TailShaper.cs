@@ -9,15 +9,17 @@ namespace CreatureGen.Bodies;
 /// <summary>The sections of the tail: stalks that taper, fins that spread, and fans of feathers.</summary>
 internal static class TailShaper
 {
+    /// <summary>Greatest length of a fluke along the spine, in half of its span.</summary>
+    internal const double LongestFluke = 1.1;
+
     /// <summary>The ring from which on an upright fin spreads.</summary>
     private const int FinFirst = 47;
 
     /// <summary>Greatest length of an upright fin along the spine, in its sizes; those of fish are up to 1.6 long. Spread over all of a long tail it is a funnel that ends sawn off; a lance is to be long.</summary>
     private const double LongestFin = 2.2;
 
-    /// <summary>The ring from which on a fluke spreads, its greatest length along the spine, in half of its span, and how much of its span is reached before its middle: its leading edge bends back to pointed tips.</summary>
+    /// <summary>The ring from which on a fluke spreads, and how much of its span is reached before its middle: its leading edge bends back to pointed tips.</summary>
     private const int FlukeFirst = 47;
-    internal const double LongestFluke = 1.1;
     private const double FlukeBend = 0.45;
 
     /// <summary>What is left of the thickness of a stalk where its fin opens that is longer than the fin.</summary>

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
 using CreatureGen.Anatomy;
@@ -19,6 +20,9 @@ public sealed class PectoralGrowerTests
 
     /// <summary>Most that the end of a paired fin is high, in lengths of the fin: sawn-off ones are .044.</summary>
     private const double Thickest = 0.03;
+
+    /// <summary>Greatest mean breadth of paddles over the last fifth of their length, in their greatest: with ends as broad as they are they are mittens.</summary>
+    private const double BroadestEnd = 0.75;
 
     [Theory]
     [InlineData(0.6)]
@@ -65,6 +69,41 @@ public sealed class PectoralGrowerTests
         }
 
         Assert.True(tips > 6);
+    }
+
+    [Fact]
+    public void Paddles_draw_together_to_their_tips()
+    {
+        var ends = new List<double>();
+        foreach (int seed in Enumerable.Range(10310001, 60))
+        {
+            Creature creature = CreatureGenerator.Generate((ulong)seed, CreatureOptions.Default with { Kind = RequestedKind.Swimming });
+            if (!creature.Blueprint.Fins.All(fin => fin.Place != FinPlace.Pectoral || fin.Style == FinStyle.Paddle))
+            {
+                continue;
+            }
+
+            foreach (LimbChain fin in creature.Limbs.Where(limb => limb.Kind == LimbKind.Pectoral && limb.Side == Side.Left))
+            {
+                Vector3 root = creature.Skeleton.ModelPositions[fin.Joints[0]];
+                Vector3 axis = creature.Skeleton.ModelPositions[fin.Joints[^1]] - root;
+                Vector3[] skin = SkinOf(creature.Mesh, fin);
+                double end = Breadth(skin, root, axis, 0.8f, 1);
+                double greatest = Enumerable.Range(2, 6).Max(tenth => Breadth(skin, root, axis, 0.1f * tenth, 0.1f * (tenth + 1)));
+                ends.Add(end / greatest);
+            }
+        }
+
+        Assert.True(ends.Count > 10);
+        Assert.True(ends.Average() < BroadestEnd, FormattableString.Invariant($"{ends.Average():0.000}"));
+    }
+
+    /// <summary>How far the points over a stretch of a fin lie apart across its axis.</summary>
+    private static double Breadth(Vector3[] skin, Vector3 root, Vector3 axis, float first, float last)
+    {
+        var across = Vector3.Normalize(Vector3.UnitZ - (axis * (axis.Z / axis.LengthSquared())));
+        float[] at = [.. skin.Where(p => Vector3.Dot(p - root, axis) / axis.LengthSquared() is float s && s >= first && s < last).Select(p => Vector3.Dot(p - root, across))];
+        return at.Length == 0 ? 0 : at.Max() - at.Min();
     }
 
     /// <summary>The points of a limb's skin.</summary>

@@ -1,3 +1,4 @@
+using System;
 using System.Linq;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
@@ -21,7 +22,7 @@ public sealed class PaddlingLegsTests
     }
 
     [Fact]
-    public void No_paired_fins_grow_under_legs_that_are_laid_back_over_them()
+    public void No_paired_fins_grow_under_legs_that_are_laid_back_over_them_or_in_a_bunch_with_those_of_what_winds()
     {
         CreatureBlueprint[] legged = Enumerable.Range(10710001, 400)
             .Select(seed => BlueprintSampler.Sample((ulong)seed, CreatureOptions.Default with { Kind = RequestedKind.Swimming }))
@@ -29,7 +30,16 @@ public sealed class PaddlingLegsTests
             .ToArray();
         Assert.InRange(legged.Length, 20, 400);
         Assert.DoesNotContain(legged, creature => creature.Fins.Any(fin => fin.Place == FinPlace.Pectoral
-            && creature.Legs.Any(leg => fin.Socket.Ring > leg.Socket.Ring && fin.Socket.Ring < leg.Socket.Ring + 10)));
+            && creature.Legs.Any(leg => (creature.Plan == BodyPlan.Eel || fin.Socket.Ring > leg.Socket.Ring) && Math.Abs(fin.Socket.Ring - leg.Socket.Ring) < 10)));
+    }
+
+    [Fact]
+    public void Forelegs_alone_are_shorter_than_those_of_one_on_four()
+    {
+        CreatureOptions swimming = CreatureOptions.Default with { Kind = RequestedKind.Swimming };
+        Assert.True(Mean(swimming) < 0.9 * Mean(swimming with { MinLegPairs = 2 }));
+
+        static double Mean(CreatureOptions options) => Driven(options).Average(creature => creature.Legs[0].Length / creature.Legs[0].Thickness);
     }
 
     [Fact]

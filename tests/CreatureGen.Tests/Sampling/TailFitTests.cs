@@ -38,6 +38,11 @@ public sealed class TailFitTests
     /// <summary>Least tail of a swimmer that is driven by it, in trunks: what the lattice leaves of the rule's .5 (.16 without).</summary>
     private const double LeastDriven = 0.4;
 
+    /// <summary>The same of one that rows, least slope and steepest of a fluke, degrees: steeper ones are tents from behind, those that rise bowls.</summary>
+    private const double LeastRowing = 0.38;
+    private const double RisingFluke = 0;
+    private const double FallingFluke = 20;
+
     private static readonly ValueList<LatticeSlice> even = new(Enumerable.Repeat(new LatticeSlice(1, 1, 1), 11));
 
     [Fact]
@@ -339,6 +344,29 @@ public sealed class TailFitTests
 
         Assert.InRange(flukes, 10, Count);
         Assert.True(10 * level <= flukes, FormattableString.Invariant($"{level} of {flukes} are seen edge on"));
+    }
+
+    [Fact]
+    public void Flukes_lie_nearly_level()
+    {
+        double[] slopes = DrawnShapes.Of(RequestedKind.Swimming, 1, 13660001, Count)
+            .Where(drawn => drawn.Creature.Tail.Style == TailStyle.Fluke && drawn.Creature.Body.Disc.Sweep == 0)
+            .Select(drawn => Math.Atan2(drawn.Shape.Y[StationRing.TailTwoThirds] - drawn.Shape.Y[StationRing.TailTip], drawn.Shape.Z[StationRing.TailTwoThirds] - drawn.Shape.Z[StationRing.TailTip]) * 180 / Math.PI)
+            .ToArray();
+        Assert.InRange(slopes.Length, 10, Count);
+        int steep = slopes.Count(slope => slope < RisingFluke || slope > FallingFluke);
+        Assert.True(8 * steep <= slopes.Length, FormattableString.Invariant($"{steep} of {slopes.Length}: {string.Join(" ", slopes.Select(slope => FormattableString.Invariant($"{slope:0}")))}"));
+    }
+
+    [Fact]
+    public void What_rows_has_a_tail()
+    {
+        double[] tails = DrawnShapes.Of(RequestedKind.Swimming, 1, 13660001, Count)
+            .Where(drawn => drawn.Creature.Plan == BodyPlan.Flipper && drawn.Creature.Body.Disc.Sweep == 0 && drawn.Creature.Body.Shell.Style == ShellStyle.None)
+            .Select(drawn => (drawn.Shape.Arc[StationRing.TailTip] - drawn.Shape.Arc[StationRing.TorsoLast]) / (drawn.Shape.Arc[StationRing.TorsoLast] - drawn.Shape.Arc[StationRing.TrunkFirst]))
+            .ToArray();
+        Assert.InRange(tails.Length, 10, Count);
+        Assert.True(tails.Count(tail => tail < LeastRowing) * 10 <= tails.Length, FormattableString.Invariant($"{string.Join(" ", tails.Select(tail => FormattableString.Invariant($"{tail:0.00}")))}"));
     }
 
     [Fact]

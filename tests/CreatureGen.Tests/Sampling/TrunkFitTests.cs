@@ -51,6 +51,29 @@ public sealed class TrunkFitTests
     private const double BroadFish = 0.9;
     private const double BroadWinding = 1.25;
 
+    /// <summary>Most that the necks of mixed fish and whales lack in the mean to the line from the head to the ribs, as a factor.</summary>
+    private const double Hollow = 1.1;
+
+    [Fact]
+    public void Necks_of_mixed_fish_and_whales_are_not_hollow_between_the_head_and_the_ribs()
+    {
+        double[] necks = DrawnShapes.Of(RequestedKind.Swimming, 1, 11200001, 200)
+            .Where(drawn => drawn.Creature.Plan is BodyPlan.Fish or BodyPlan.Whale && drawn.Creature.Body.Disc.Sweep == 0)
+            .Select(drawn => HollowOf(drawn.Shape))
+            .ToArray();
+        Assert.True(necks.Length > 20);
+        Assert.True(necks.Average() < Hollow, FormattableString.Invariant($"{necks.Average():0.000} of {necks.Length}"));
+    }
+
+    /// <summary>How many times as thick as it is the middle of a neck would be half way between the head and the ribs, at least 1.</summary>
+    private static double HollowOf(BodyShape shape)
+    {
+        double line = (SizeOf(StationRing.Cranium) + SizeOf(StationRing.Ribs)) / 2;
+        return Math.Max(1, line / SizeOf(StationRing.NeckMiddle));
+
+        double SizeOf(int ring) => Math.Sqrt(shape.Width[ring] * 0.5 * (shape.Top[ring] + shape.Bottom[ring]));
+    }
+
     [Theory]
     [InlineData(BodyPlan.Fish, BroadFish)]
     [InlineData(BodyPlan.Eel, BroadWinding)]

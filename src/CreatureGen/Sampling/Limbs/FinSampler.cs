@@ -161,9 +161,9 @@ internal static class FinSampler
         builder.Plan = pairs >= need ? builder.Plan : pairs > 0 ? BodyPlan.Fish : BodyPlan.Eel;
     }
 
-    /// <summary>Whether a place for a fin is close behind a leg, which lies back over it in the water, or close before one, which is in its stead.</summary>
+    /// <summary>Whether a place for a fin is close behind a leg, which lies back over it in the water, or close before one of what swims by winding, which has the leg in its stead.</summary>
     private static bool IsBesideLeg(CreatureBuilder builder, SocketBlueprint socket) =>
-        builder.Legs.Exists(leg => Math.Abs(socket.Ring - leg.Socket.Ring) < UnderLegs);
+        builder.Legs.Exists(leg => (builder.Plan == BodyPlan.Eel || leg.Socket.Ring < socket.Ring) && Math.Abs(socket.Ring - leg.Socket.Ring) < UnderLegs);
 
     /// <summary>The fins that a species always has.</summary>
     private static void Own(CreatureBuilder builder, RandomStream random, FinPreset preset)

@@ -87,8 +87,9 @@ internal static class OwnLegs
         }
     }
 
-    /// <summary>Least thickness of a swimmer's leg, part of the depth of its body there, and how much larger its feet are: thin arms with small hands on a full body were sticks.</summary>
+    /// <summary>Least and largest thickness of a swimmer's leg, part of the depth of its body there, and how much larger its feet are: thin arms with small hands on a full body were sticks, thick ones on a thin body are all that is seen of it. Slimmer legs are shorter by the root of it.</summary>
     private const double PaddleThickness = 0.22;
+    private const double ThickestPaddle = 0.3;
     private const double PaddleFoot = 1.1;
 
     /// <summary>Length of the forelegs of a swimmer that has no others, relative to those of one on four: as long as these they are the legs of a walker under a fish.</summary>
@@ -107,7 +108,6 @@ internal static class OwnLegs
         SpineMeasure measure = LegSampler.Measure(builder);
         double reach = CreatureBuilder.Between(builder.Stream("reach"), preset.Reach);
         bool frontOnly = FinSampler.IsDrivenByTailFin(builder) && builder.MinLegPairs < preset.Sites.Length;
-        double length = frontOnly ? Scalar.Lerp(1, ArmsAlone, builder.Fitting) : 1;
         foreach (LegSite site in preset.Sites)
         {
             if (frontOnly && site.Ring > BodyGrid.AnchorRing)
@@ -117,6 +117,9 @@ internal static class OwnLegs
 
             SpineSection section = measure.At(site.Ring);
             double thickness = Math.Max(preset.Thickness * site.Thickness, PaddleThickness * section.Thickness);
+            double slimmer = PortableMath.Pow(Math.Min(1, ThickestPaddle * section.Thickness / thickness), builder.Fitting);
+            thickness *= slimmer;
+            double length = (frontOnly ? Scalar.Lerp(1, ArmsAlone, builder.Fitting) : 1) * Math.Sqrt(slimmer);
             SocketBlueprint socket = SocketSizing.Size(
                 site.Ring, site.Segment, thickness, thickness * 0.8, section.RingSpacing, SocketSizing.SegmentSpacing(section.HipWidth, section.Thickness), style.Toes, SocketBounds.Limb);
             LegSampler.Add(builder, style, site.Archetype, LegStance.Hanging, socket, thickness, length * preset.HangingLength, length * reach * site.Reach, site.Azimuth, 0, SocketBounds.Limb.Pad);

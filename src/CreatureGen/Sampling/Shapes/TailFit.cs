@@ -55,9 +55,9 @@ internal static class TailFit
     private const double FlukeDegrees = 9;
     private const double FinlessDegrees = 15;
 
-    // How far a fluke itself comes down at least and at most, how far the tail before it does at most, the part of a bend of the whole tail that shows in its fluke, and how often both are set by turns: steeper flukes are tents from behind, and those that turn up are bowls on posts.
-    private const double FlattestFluke = 7;
-    private const double SteepestFluke = 14;
+    // How far a fluke itself comes down at least and at most, how far the tail before it does at most, the part of a bend of the whole tail that shows in its fluke, and how often both are set by turns: steeper flukes are tents from behind, level ones are bars there, and those that turn up bowls on posts.
+    private const double FlattestFluke = 11;
+    private const double SteepestFluke = 15;
     private const double SteepestStalk = 12;
     private const double BendAtFluke = 0.8;
     private const int Rounds = 3;
@@ -251,6 +251,8 @@ internal static class TailFit
     {
         for (int round = 0; round < Rounds && builder.Tail.Style == TailStyle.Fluke; round++)
         {
+            double rise = builder.Fitting * Math.Max(0, Fall(builder) - Scalar.Radians(SteepestStalk));
+            builder.Posture = builder.Posture with { Tail = builder.Posture.Tail - rise };
             BodyShape shape = StanceSampler.ShapeOf(builder);
             int first = StationRing.TailThird;
             while (first < StationRing.TailTwoThirds && shape.Arc[LastOfTail] - shape.Arc[first] > TailShaper.LongestFluke * builder.Tail.Size)
@@ -261,8 +263,6 @@ internal static class TailFit
             double fluke = PortableMath.Atan2(shape.Y[first] - shape.Y[LastOfTail], shape.Z[first] - shape.Z[LastOfTail]);
             double bend = builder.Fitting * (Scalar.Clamp(fluke, Scalar.Radians(FlattestFluke), Scalar.Radians(SteepestFluke)) - fluke) / (BendAtFluke * BodyGrid.TailBones);
             builder.Posture = builder.Posture with { TailBend = builder.Posture.TailBend + bend };
-            double rise = builder.Fitting * Math.Max(0, Fall(builder) - Scalar.Radians(SteepestStalk));
-            builder.Posture = builder.Posture with { Tail = builder.Posture.Tail - rise };
             builder.Drawn = builder.Drawn with { Tail = builder.Drawn.Tail - rise, TailBend = builder.Drawn.TailBend + bend };
         }
     }

@@ -24,6 +24,10 @@ public sealed class SwimLegTests
     /// <summary>Farthest that the tip of a leg lies out from its hip as it is grown, in the distance between both (.8 of a straight one).</summary>
     private const double FarthestOut = 0.66;
 
+    /// <summary>Least that the tip of a leg hangs below its hip as it is grown, in the distance between both (.2 of one that is laid back along the flank), and least bend of its elbow, degrees.</summary>
+    private const double LeastHung = 0.35;
+    private const double LeastBend = 20;
+
     private static readonly Lazy<Creature[]> legged = new(() =>
         new[] { "newt", "crocodile" }.SelectMany(body => Enumerable.Range(0, Thoroughness.IsExhaustive ? 12 : 2).Select(seed => SpeciesSubject.Of(body, RequestedKind.Swimming, (ulong)seed))).ToArray());
 
@@ -56,6 +60,22 @@ public sealed class SwimLegTests
                 Vector3 tip = creature.Skeleton.ModelPositions[limb.Joints[^1]];
                 double outward = Math.Abs(tip.X - hip.X) / Vec.Length(tip - hip);
                 Assert.True(outward < FarthestOut, FormattableString.Invariant($"{Name(creature)}: {outward:0.00} of its reach is out to the side"));
+            });
+        }
+    }
+
+    [Fact]
+    public void As_it_is_grown_a_leg_in_the_water_hangs_below_the_flank_from_a_bent_elbow_and_is_no_peg_on_it()
+    {
+        foreach (Creature creature in legged.Value)
+        {
+            Each(creature, limb =>
+            {
+                Vector3[] at = Array.ConvertAll(limb.Joints.ToArray(), joint => creature.Skeleton.ModelPositions[joint]);
+                double hung = (at[Hip].Y - at[^1].Y) / Vec.Length(at[^1] - at[Hip]);
+                double bend = Math.Acos(Vec.Dot(Vec.Normalize(at[Hip + 1] - at[Hip]), Vec.Normalize(at[Hip + 2] - at[Hip + 1]))) / Degrees(1);
+                Assert.True(hung > LeastHung, FormattableString.Invariant($"{Name(creature)}: {hung:0.00} of its reach is below the hip"));
+                Assert.True(bend > LeastBend, FormattableString.Invariant($"{Name(creature)}: the elbow is bent by {bend:0} degrees"));
             });
         }
     }
