@@ -21,8 +21,8 @@ public sealed class PectoralGrowerTests
     /// <summary>Most that the end of a paired fin is high, in lengths of the fin: sawn-off ones are .044.</summary>
     private const double Thickest = 0.03;
 
-    /// <summary>Greatest mean breadth of paddles over the last fifth of their length, in their greatest: with ends as broad as they are they are mittens.</summary>
-    private const double BroadestEnd = 0.75;
+    /// <summary>Greatest mean breadth of paddles over the last fifth of their length, in their greatest: with broader ends they are mittens (.595 before they drew together).</summary>
+    private const double BroadestEnd = 0.55;
 
     [Theory]
     [InlineData(0.6)]

@@ -62,14 +62,14 @@ internal static class SprawlLeg
             hanging: new LegPosture(hip: 0.35, knee: -0.45, ankle: 0.30, ball: 0.30),
             reaching: new LegPosture(hip: -0.10, knee: -0.15, ankle: 0.05, ball: 0)))
     {
-        // As it is carried in the water: laid back along the flank, the elbow out, the foot level like an oar between two strokes.
+        // As it is carried in the water: out to the side and down from the elbow, a thin wrist before a foot that is spread and turned down like an oar between two strokes.
         Trailing = new LegOutline(FootEnd.Toes)
         {
             KneeRow = 2,
             AnkleRow = 5,
             BallRow = 7,
             FootRows = 2,
-            ToeLength = 0.8,
+            ToeLength = 0.75,
             ToeSplay = 0.85,
             ToeRadius = 0.13,
             Lateral = true,
@@ -78,12 +78,12 @@ internal static class SprawlLeg
             {
                 new() { Forward = 0, Down = 0, Outward = 0, ForeRadius = 1000, SideRadius = 800 },
                 new() { Forward = -45, Down = 60, Outward = 335, ForeRadius = 780, SideRadius = 640 },
-                new() { Forward = -140, Down = 210, Outward = 620, ForeRadius = 570, SideRadius = 480 },
-                new() { Forward = -300, Down = 420, Outward = 735, ForeRadius = 460, SideRadius = 400 },
+                new() { Forward = -140, Down = 210, Outward = 620, ForeRadius = 530, SideRadius = 445 },
+                new() { Forward = -300, Down = 420, Outward = 735, ForeRadius = 420, SideRadius = 365 },
                 new() { Forward = -480, Down = 610, Outward = 790, ForeRadius = 335, SideRadius = 305 },
                 new() { Forward = -635, Down = 790, Outward = 820, ForeRadius = 270, SideRadius = 310 },
                 new() { Forward = -745, Down = 930, Outward = 860, ForeRadius = 235, SideRadius = 450 },
-                new() { Forward = -835, Down = 1060, Outward = 905, ForeRadius = 200, SideRadius = 520 },
+                new() { Forward = -835, Down = 1060, Outward = 905, ForeRadius = 200, SideRadius = 490 },
             },
         },
     };

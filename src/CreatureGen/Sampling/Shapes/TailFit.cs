@@ -51,14 +51,15 @@ internal static class TailFit
     /// <summary>The same of a bare tail of a flier: a level one is not seen from behind, and the rump is a block.</summary>
     private const double FlownDegrees = 23;
 
-    // The same of a swimmer's with flukes, within what its spine may slope, and of one without a fin, which runs out in a point.
+    // The same of a swimmer's with flukes or without a fin, within what its spine may slope, and of what rows, whose tail is short.
     private const double FlukeDegrees = 9;
-    private const double FinlessDegrees = 15;
+    private const double RowingDegrees = 15;
 
-    // How far a fluke itself comes down at least and at most, how far the tail before it does at most, the part of a bend of the whole tail that shows in its fluke, and how often both are set by turns: steeper flukes are tents from behind, level ones are bars there, and those that turn up bowls on posts.
+    // How far a fluke itself comes down at least and at most, how far the tail before it does at most, by how much all three differ from creature to creature, the part of a bend of the whole tail that shows in its fluke, and how often both are set by turns: steeper flukes are tents from behind, level ones are bars there, and those that turn up bowls on posts.
     private const double FlattestFluke = 11;
-    private const double SteepestFluke = 15;
-    private const double SteepestStalk = 12;
+    private const double SteepestFluke = 16;
+    private const double SteepestStalk = 13;
+    private const double FlukesDiffer = 4;
     private const double BendAtFluke = 0.8;
     private const int Rounds = 3;
 
@@ -239,7 +240,7 @@ internal static class TailFit
     {
         if (builder.Tail.Style is TailStyle.Fluke or TailStyle.Plain && builder.Species.Disc.Sweep == 0)
         {
-            double lacks = builder.Fitting * Math.Max(0, Scalar.Radians(builder.Tail.Style == TailStyle.Plain ? FinlessDegrees : FlukeDegrees) - Fall(builder));
+            double lacks = builder.Fitting * Math.Max(0, Scalar.Radians(builder.Tail.Style == TailStyle.Plain && builder.Plan == BodyPlan.Flipper ? RowingDegrees : FlukeDegrees) - Fall(builder));
             builder.Posture = builder.Posture with { Tail = builder.Posture.Tail + lacks };
             builder.Drawn = builder.Drawn with { Tail = builder.Drawn.Tail + lacks };
             Straighten(builder);
@@ -249,9 +250,10 @@ internal static class TailFit
     /// <summary>Bends a tail until its fluke lies nearly level, and carries it so that it comes down no farther for it.</summary>
     private static void Straighten(CreatureBuilder builder)
     {
+        double own = builder.Stream("fluke").Uniform(-FlukesDiffer, FlukesDiffer);
         for (int round = 0; round < Rounds && builder.Tail.Style == TailStyle.Fluke; round++)
         {
-            double rise = builder.Fitting * Math.Max(0, Fall(builder) - Scalar.Radians(SteepestStalk));
+            double rise = builder.Fitting * Math.Max(0, Fall(builder) - Scalar.Radians(SteepestStalk + own));
             builder.Posture = builder.Posture with { Tail = builder.Posture.Tail - rise };
             BodyShape shape = StanceSampler.ShapeOf(builder);
             int first = StationRing.TailThird;
@@ -261,7 +263,7 @@ internal static class TailFit
             }
 
             double fluke = PortableMath.Atan2(shape.Y[first] - shape.Y[LastOfTail], shape.Z[first] - shape.Z[LastOfTail]);
-            double bend = builder.Fitting * (Scalar.Clamp(fluke, Scalar.Radians(FlattestFluke), Scalar.Radians(SteepestFluke)) - fluke) / (BendAtFluke * BodyGrid.TailBones);
+            double bend = builder.Fitting * (Scalar.Clamp(fluke, Scalar.Radians(FlattestFluke + own), Scalar.Radians(SteepestFluke + own)) - fluke) / (BendAtFluke * BodyGrid.TailBones);
             builder.Posture = builder.Posture with { TailBend = builder.Posture.TailBend + bend };
             builder.Drawn = builder.Drawn with { Tail = builder.Drawn.Tail - rise, TailBend = builder.Drawn.TailBend + bend };
         }
