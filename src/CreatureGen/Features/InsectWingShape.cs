@@ -31,7 +31,7 @@ internal static class InsectWingShape
     public static void Append(PieceBuilder builder, SurfacePoint skin, InsectWingBlueprint wing, float scale, Vector3 membrane, Vector3 vein)
     {
         ThinWingForm? form = ThinWingForm.Of(wing.Style);
-        ReadOnlySpan<float> blade = stackalloc float[] { 0f, 0.10f, 0.26f, 0.45f, 0.65f, 0.82f, 0.94f, 1f };
+        ReadOnlySpan<float> blade = stackalloc float[] { 0f, 0.10f, 0.28f, 0.48f, 0.69f, 0.85f, 0.95f, 1f };
         int rows = form?.Rows ?? blade.Length;
         ReadOnlySpan<float> lines = stackalloc float[Lines] { 0f, 0.07f, 0.31f, 0.345f, 0.62f, 0.65f, 1f };
         float length = (float)wing.Length * scale;
@@ -178,7 +178,7 @@ internal static class InsectWingShape
         trail = Scalar.Lerp(Scalar.Lerp(lobe, blade, slender), fan, broad);
 
         // Both edges run round into the tip, which would be sawn off.
-        float round = (float)Math.Sqrt(1f - (0.99f * Power(s, 10)));
+        float round = (float)Math.Sqrt(1f - (0.99f * Power(s, 5)));
         float middle = Scalar.Lerp(lead, trail, 0.4f);
         lead = Scalar.Lerp(middle, lead, round);
         trail = Scalar.Lerp(middle, trail, round);

@@ -48,6 +48,10 @@ internal static class WingGrower
 
     private const int MembraneRows = 28;
 
+    // Where across its width a feather is longest, and what of the notch outside of it the one inside of it is: cut off straight on one side feathers are the teeth of a saw.
+    private const float FeatherTip = 0.35f;
+    private const float InnerNotch = 0.4f;
+
     /// <summary>Chord lines of one feather, in its widths: four, or three where there are many.</summary>
     private static readonly float[] dense = { 0.02f, 0.35f, 0.7f, 0.99f };
     private static readonly float[] sparse = { 0.02f, 0.5f, 0.99f };
@@ -173,7 +177,8 @@ internal static class WingGrower
         float slots = (float)form.Slots;
         float tooth = Piecewise(s, stackalloc float[] { 0f, 0.4f, 0.75f, 0.9f, 1f }, stackalloc float[] { 0.05f, 0.08f, slots, slots, 0.06f });
         float phase = (s * form.Feathers) - (float)Math.Floor(s * form.Feathers);
-        return depth * (1f - (tooth * phase * phase));
+        float off = phase < FeatherTip ? (FeatherTip - phase) / FeatherTip : (phase - FeatherTip) / (1f - FeatherTip);
+        return depth * (1f - ((phase < FeatherTip ? InnerNotch : 1f) * tooth * off * off));
     }
 
     private static float Thickness(float thickest, float s, float u)

@@ -34,6 +34,19 @@ public sealed class ThinWingBladeTests
     }
 
     [Theory]
+    [InlineData(-36, 26)]
+    [InlineData(-48, 20)]
+    [InlineData(-28, 12)]
+    [InlineData(-44, 24)]
+    public void A_hind_wing_that_points_back_shows_a_quarter_of_its_blade_from_the_side_and_most_from_behind(double azimuth, double elevation)
+    {
+        Vector3 along = Direction(azimuth, elevation);
+        Vector3 face = Vector3.Cross(along, ThinWingBlade.Trailing(along));
+        Assert.InRange(Math.Abs(face.X), 0.25f, 0.7f);
+        Assert.InRange(Math.Abs(face.Z), 0.6f, 0.95f);
+    }
+
+    [Theory]
     [InlineData(0, 0)]
     [InlineData(-36, 26)]
     [InlineData(-85, 2)]

@@ -11,6 +11,17 @@ internal static class ThinWingBlade
     private const float RestRise = 0.85f;
     private const float FlownRise = 0.22f;
 
+    // How much farther it is raised at rest where the wing points back more than up, or the blade would lie in the line of sight from the side and be a rod; by how much more it points back where that begins and where it is all of it; and azimuths, radians, from which on and at which it points back at all.
+    private const float SweptRise = 0.95f;
+    private const float Swept = -0.12f;
+    private const float WhollySwept = 0.02f;
+    private const float Aslant = -0.1f;
+    private const float WhollyAslant = -0.3f;
+
+    // Azimuths, radians, from which on and at which a wing is laid back over the body.
+    private const float Laid = -1.05f;
+    private const float WhollyLaid = -1.25f;
+
     /// <summary>The same of a wing that is laid back over the body: towards the midline and down.</summary>
     private const float LaidRise = -0.28f;
 
@@ -19,8 +30,8 @@ internal static class ThinWingBlade
     public static Vector3 Trailing(Vector3 along)
     {
         double azimuth = PortableMath.Atan2(along.Z, along.X);
-        float laid = Scalar.Smooth(((float)-azimuth - 0.6f) / 0.5f);
-        return Trailing(along, azimuth, Scalar.Lerp(RestRise, LaidRise, laid));
+        float swept = Between((float)azimuth, Aslant, WhollyAslant) * Between(-along.Z - along.Y, Swept, WhollySwept);
+        return Trailing(along, azimuth, RestRise + (SweptRise * swept));
     }
 
     /// <summary>By how much the rear edge of a left wing is raised higher at rest than it is in flight, about the axis, radians.</summary>
@@ -28,15 +39,17 @@ internal static class ThinWingBlade
     public static double RestIncidence(Vector3 along)
     {
         double azimuth = PortableMath.Atan2(along.Z, along.X);
-        float laid = Scalar.Smooth(((float)-azimuth - 0.6f) / 0.5f);
-        Vector3 flown = Trailing(along, azimuth, Scalar.Lerp(FlownRise, LaidRise, laid));
+        Vector3 flown = Trailing(along, azimuth, FlownRise);
         Vector3 rest = Trailing(along);
         return PortableMath.Atan2(Vec.Dot(Vec.Cross(flown, rest), along), Vec.Dot(flown, rest));
     }
 
-    private static Vector3 Trailing(Vector3 along, double azimuth, float rise)
+    private static Vector3 Trailing(Vector3 along, double azimuth, float spread)
     {
+        float rise = Scalar.Lerp(spread, LaidRise, Between((float)azimuth, Laid, WhollyLaid));
         var back = new Vector3((float)PortableMath.Sin(azimuth), rise, -(float)PortableMath.Cos(azimuth));
         return Vec.Normalize(Vec.Reject(back, along), Vector3.UnitZ);
     }
+
+    private static float Between(float value, float first, float last) => Scalar.Smooth((value - first) / (last - first));
 }

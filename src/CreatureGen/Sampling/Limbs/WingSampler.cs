@@ -47,6 +47,9 @@ internal static class WingSampler
     private const int FirstOfTrunk = 26;
     private const int LastOfTrunk = 40;
 
+    /// <summary>Part of the way from what is drawn to upright by which a wing of feathers is raised more than a membrane, which is deep enough to be seen from the side.</summary>
+    private const double FeathersRaised = 0.2;
+
     /// <summary>Degrees; thin wings that point farther back lie along the body.</summary>
     private const double FoldedAzimuth = -60;
 
@@ -122,9 +125,10 @@ internal static class WingSampler
         RandomStream random = builder.Stream("wings");
         WingStyle style = StyleOf(builder, random);
         WingForm form = WingForm.Of(style);
-        double rise = random.Uniform(0.42, 0.75);
 
-        // Hardly swept, a raised wing is its own edge from the side.
+        // Hardly raised, a wing of feathers is a stub from the side; hardly swept, a raised one is its own edge from there.
+        double rise = random.Uniform(0.42, 0.75);
+        rise = form.Feathers > 0 ? FeathersRaised + (rise * (1 - FeathersRaised)) : rise;
         double sweep = random.Uniform(0.22, 0.4);
         ThinWing[] thins = builder.Species.Class == AnimalClass.Arthropod ? insectWings : fairyWings[builder.Stream("thin wing family").Integer(0, fairyWings.Length)];
         foreach (WingPlacement wing in placement.Wings)

@@ -39,6 +39,9 @@ internal static class TailFit
     private const double TipDegrees = 22;
     private const double BalancingDegrees = 17;
 
+    /// <summary>Least that the last third of a bare tail falls behind the rump, degrees: one that bends up to the level has a round end for who is behind it.</summary>
+    private const double TipFallDegrees = 16;
+
     /// <summary>The same of a bare tail behind an upright body, which is seen between its legs from the front where it falls further.</summary>
     private const double UprightDegrees = 22;
 
@@ -106,6 +109,7 @@ internal static class TailFit
     private const int FirstOfTrunk = 25;
     private const int LastOfTrunk = 42;
     private const int FirstOfTail = 47;
+    private const int LastThird = 51;
     private const int LastOfTail = 54;
 
     // Largest section at two thirds of a tail as the tables give it and at its tip, in its largest one, and the parts of what is too much that the last slices but one and the last give way by: what ends as thick as it is before is a finger from behind.
@@ -179,6 +183,20 @@ internal static class TailFit
 
     /// <summary>The posture with a fan of feathers that falls away from the rump, for level with the eye behind it a fan is a pair of lips, with an abdomen that does not turn down at its end, and with a bare tail that falls from the croup and bends out again: a level one points at who is behind it, and is a peg.</summary>
     public static BodyPosture Lower(CreatureBuilder builder)
+    {
+        builder.Posture = Fallen(builder);
+        bool behind = builder.Kind != LocomotionKind.Swimming && builder.Plan is not (BodyPlan.Legless or BodyPlan.ManyLegged) && builder.Species.Class != AnimalClass.Arthropod && builder.Species.Disc.Sweep == 0;
+        if (!behind || !IsBareEnd(builder))
+        {
+            return builder.Posture;
+        }
+
+        // Its end turns down, and its root up by half of that, so that the whole of it falls as before.
+        double lacks = builder.Fitting * Math.Max(0, Scalar.Radians(TipFallDegrees) - Fall(builder, LastThird));
+        return builder.Posture with { Tail = builder.Posture.Tail - (0.5 * lacks), TailBend = builder.Posture.TailBend + (lacks / BodyGrid.TailBones) };
+    }
+
+    private static BodyPosture Fallen(CreatureBuilder builder)
     {
         BodyPosture drawn = builder.Posture;
         if (HasAbdomen(builder))
@@ -273,11 +291,11 @@ internal static class TailFit
     private static double LengthOf(BodyShape shape) =>
         (shape.Arc[LastOfTail] - shape.Arc[StationRing.TorsoLast]) / (shape.Arc[StationRing.TorsoLast] - shape.Arc[StationRing.TrunkFirst]);
 
-    /// <summary>How far the tail comes down from the rump, radians.</summary>
-    private static double Fall(CreatureBuilder builder)
+    /// <summary>How far the tail comes down from the rump, or from another ring, radians.</summary>
+    private static double Fall(CreatureBuilder builder, int from = StationRing.TorsoLast)
     {
         BodyShape shape = StanceSampler.ShapeOf(builder);
-        return PortableMath.Atan2(shape.Y[StationRing.TorsoLast] - shape.Y[LastOfTail], shape.Z[StationRing.TorsoLast] - shape.Z[LastOfTail]);
+        return PortableMath.Atan2(shape.Y[from] - shape.Y[LastOfTail], shape.Z[from] - shape.Z[LastOfTail]);
     }
 
     /// <summary>Whether the body ends in an insect's abdomen.</summary>
