@@ -300,6 +300,11 @@ internal static class LegSampler
         {
             set = set with { Arms = set.Arms with { OddsNear = 0, OddsFar = 0.15 } };
         }
+        else if (builder.Plan is BodyPlan.Theropod or BodyPlan.Upright && set.Arms is ArmAnatomy arms && builder.Wings.Count == 0)
+        {
+            // Without arms or wings a mixed body on two legs is a pear on posts.
+            set = set with { Arms = arms with { OddsNear = Scalar.Lerp(arms.OddsNear, 1, builder.Fitting), OddsFar = Scalar.Lerp(arms.OddsFar, 1, builder.Fitting) } };
+        }
 
         if (PlanTraits.IsAboveLegs(builder.Plan) || builder.Plan == BodyPlan.Theropod)
         {

@@ -78,9 +78,10 @@ internal static class TailFit
     private const double AbdomenDegrees = 19;
     private const double StraightenedDegrees = 13;
 
-    // Least fall of a fan of feathers behind the rump, that of a strange creature that flies, and rise from which on a fan is carried up as a cock's is.
+    // Least fall of a fan of feathers behind the rump, that of a strange creature that flies, that behind four legs, where a shorter one is an apron from behind, and rise from which on a fan is carried up as a cock's is.
     private const double FallDegrees = 18;
     private const double FlownFallDegrees = 19;
+    private const double FallOnFourLegs = 32;
     private const double RaisedDegrees = 30;
 
     // How far a tail may come down for each unit that it goes back, and one that balances a body on two legs.
@@ -157,7 +158,7 @@ internal static class TailFit
         bool bare = IsBare(builder);
         double slender = rolls ? LeastRolled : bare ? LeastCarried : taper != null ? LeastTapered : steers ? LeastBalancing : 0;
         double stubby = Math.Max(1, slender * Largest(shape, FirstOfTail, FirstOfTail) / (shape.Arc[LastOfTail] - shape.Arc[StationRing.TorsoLast]));
-        bool fanned = builder.Plan == BodyPlan.Flapping && builder.Tail.Style == TailStyle.Feathers && builder.Species.Class != AnimalClass.Bird;
+        bool fanned = (builder.Plan == BodyPlan.Flapping || PlanTraits.IsAboveLegs(builder.Plan)) && builder.Tail.Style == TailStyle.Feathers && builder.Species.Class != AnimalClass.Bird;
         double shortest = steers || fanned ? LeastTail : bare || (taper != null && !rolls) ? LeastOfFamily : 0;
         double longer = Math.Min(MostLonger, Math.Max(shortest / length, PortableMath.Pow(stubby, 1 - Slimmed)));
         return drawn with
@@ -244,7 +245,8 @@ internal static class TailFit
 
         if (fan)
         {
-            return drawn with { Tail = drawn.Tail + Math.Max(0, Scalar.Radians(FallDegrees) - fall) };
+            double least = PlanTraits.IsAboveLegs(builder.Plan) ? Scalar.Lerp(FallDegrees, FallOnFourLegs, builder.Fitting) : FallDegrees;
+            return drawn with { Tail = drawn.Tail + Math.Max(0, Scalar.Radians(least) - fall) };
         }
 
         double hung = Scalar.Radians(balances ? BalancingDegrees : flown ? FlownDegrees : builder.Plan == BodyPlan.Upright ? UprightDegrees : HungDegrees);
