@@ -157,8 +157,11 @@ internal sealed class CoatPainter
 
         if (place.IsLimb)
         {
-            float inner = 0.16f * Scalar.Smooth(-place.Normal.X) * (1f - place.Along);
-            return Scalar.Lerp(place.Ventral, 0.35f + (0.12f * place.Along) + inner, Scalar.Smooth(place.Along / 0.26f));
+            float inside = Scalar.Smooth(-place.Normal.X);
+            float inner = 0.16f * inside * (1f - place.Along);
+
+            // The belly's shade runs out on the inner side of a thigh; on the rear of one it would be a pale patch for who is behind it.
+            return Scalar.Lerp(place.Ventral, 0.35f + (0.12f * place.Along) + inner, Scalar.Smooth(place.Along / Scalar.Lerp(0.1f, 0.26f, inside)));
         }
 
         return Scalar.Lerp(place.Ventral, 0.45f, Scalar.Smooth(place.Along / 0.22f));

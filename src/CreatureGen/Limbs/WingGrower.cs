@@ -46,6 +46,9 @@ internal static class WingGrower
     private const float Hung = 0.3f;
     private const float OuterHung = 0.2f;
 
+    /// <summary>How much thicker the arm of a wing is at the shoulder: as thin as at the elbow it is a stick that a wing hangs on.</summary>
+    private const float Shoulder = 0.55f;
+
     private const int MembraneRows = 28;
 
     // Where across its width a feather is longest, and what of the notch outside of it the one inside of it is: cut off straight on one side feathers are the teeth of a saw.
@@ -183,7 +186,7 @@ internal static class WingGrower
 
     private static float Thickness(float thickest, float s, float u)
     {
-        float r = thickest * (1f - (0.65f * s));
+        float r = thickest * (1f - (0.65f * s) + (Shoulder * (1f - Scalar.Smooth(s / Hung))));
         return u < 0.25f
             ? r * (float)Math.Sqrt(Scalar.Clamp(u / 0.12f, 0f, 1f)) * (u < 0.12f ? 1f : 1f - (0.75f * Scalar.Smooth((u - 0.12f) / 0.13f)))
             : r * 0.25f * (1f - (u * 0.75f));

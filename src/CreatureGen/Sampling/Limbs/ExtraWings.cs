@@ -30,7 +30,7 @@ internal static class ExtraWings
 
     // The second pair against the first: smaller, lower and farther back, or the two look like one thick wing.
     private const double SecondSpan = 0.75;
-    private const double SecondRise = 0.45;
+    private const double SecondRise = 0.55;
     private const double SecondSweep = 0.25;
 
     /// <summary>Adds a second pair behind the only one of a flier, if it may have one and there is room.</summary>

@@ -84,7 +84,7 @@ internal static class HeadFit
         double grown = builder.Parents.Head == builder.Parents.First ? 1 : Scalar.Clamp(Smallest / (Size * size), 1, MostGrown);
         double head = PortableMath.Pow(excess, -part * strange) * PortableMath.Pow(excess > 1 ? 1 : grown, strange);
         bool neckless = builder.Species.Class is AnimalClass.Fish or AnimalClass.Arthropod || Array.Exists(builder.Species.WalkingPlans, plan => plan.Value == BodyPlan.Legless);
-        bool necked = (neckless || builder.Parents.Head != builder.Parents.First) && builder.Kind != LocomotionKind.Swimming && builder.Plan is not (BodyPlan.Legless or BodyPlan.ManyLegged);
+        bool necked = builder.Plan == BodyPlan.Legless || ((neckless || builder.Parents.Head != builder.Parents.First) && builder.Kind != LocomotionKind.Swimming && builder.Plan != BodyPlan.ManyLegged);
         (double neckWidth, double neckHeight) = Largest(shape, FirstOfNeck, LastOfNeck);
         (double thickest, double least) = neckless ? (NeckOfNeckless, LeastOfNeckless) : (Neck, LeastNeck);
         least = builder.Species.Class == AnimalClass.Arthropod ? least : Math.Max(least, Math.Min(1, NeckOfTrunk * Math.Sqrt(width * height / (neckWidth * neckHeight))));

@@ -17,7 +17,7 @@ internal static class TailFit
     private const double Size = 0.8;
 
     /// <summary>The same of a mixed insect's abdomen: from behind it is nearer than the rest and hides it.</summary>
-    private const double LargestAbdomen = 0.8;
+    private const double LargestAbdomen = 0.7;
 
     // Largest root of a tail against the hips, behind legs under the body and of one that balances a body on two legs or in the air: one as thick as they are goes on as trunk, and has no rump before it.
     private const double LargestRoot = 0.5;
