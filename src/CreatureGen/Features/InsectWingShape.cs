@@ -178,7 +178,7 @@ internal static class InsectWingShape
         trail = Scalar.Lerp(Scalar.Lerp(lobe, blade, slender), fan, broad);
 
         // Both edges run round into the tip, which would be sawn off.
-        float round = (float)Math.Sqrt(1f - (0.99f * Power(s, 5)));
+        float round = (float)Math.Sqrt(1f - (0.99f * Power(s, 3.5)));
         float middle = Scalar.Lerp(lead, trail, 0.4f);
         lead = Scalar.Lerp(middle, lead, round);
         trail = Scalar.Lerp(middle, trail, round);

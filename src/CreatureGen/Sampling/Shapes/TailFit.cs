@@ -84,9 +84,10 @@ internal static class TailFit
     private const double FallOnFourLegs = 32;
     private const double RaisedDegrees = 30;
 
-    // How far a tail may come down for each unit that it goes back, and one that balances a body on two legs.
+    // How far a tail may come down for each unit that it goes back, one that balances a body on two legs, and one of an upright body: from the front they are a keel between the legs.
     private const double SteepestTail = 1.1;
-    private const double SteepestBalanced = 0.6;
+    private const double SteepestBalanced = 0.45;
+    private const double SteepestOfUpright = 0.75;
 
     /// <summary>The same of one that flies: it may stand on two legs.</summary>
     private const double SteepestFlown = 0.7;
@@ -379,7 +380,7 @@ internal static class TailFit
             return builder.Fitting > 0 && builder.Tail.Style != TailStyle.Feathers && down > SteepestFlown * back;
         }
 
-        return (stands || balances) && down > (balances ? SteepestBalanced : SteepestTail) * back && s.Y[End] < 0.75 * s.Y[StationRing.TorsoLast];
+        return (stands || balances) && down > (balances ? SteepestBalanced : builder.Plan == BodyPlan.Upright ? SteepestOfUpright : SteepestTail) * back && s.Y[End] < 0.75 * s.Y[StationRing.TorsoLast];
     }
 
     /// <summary>Radius of the largest section, metres.</summary>
