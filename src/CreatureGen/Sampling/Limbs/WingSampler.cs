@@ -82,7 +82,7 @@ internal static class WingSampler
         double longer = form.Uniform(-0.2, 0.15);
         double broader = form.Uniform(-0.2, 0.1);
         double hind = form.Uniform(-0.25, 0.2);
-        double higher = form.Uniform(-12, 6);
+        double higher = form.Uniform(-9, 7);
         double parted = form.Uniform(-3, 12);
         for (int i = 0; i < wings.Length; i++)
         {

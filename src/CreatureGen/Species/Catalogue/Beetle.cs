@@ -40,7 +40,7 @@ internal static class Beetle
             Reach = (0.24, 0.30), Height = (0.13, 0.20), Thickness = 0.055, KneeRise = 0.9,
         },
         Shell = new ShellBlueprint(ShellStyle.Elytra, Ring: 34, Rows: 19, Columns: 7, Rise: 0.07),
-        Wings = new ThinWings { Spread = new[] { new ThinWing(ring: 32, length: 1.15, width: 0.32, azimuth: -8, elevation: 26) } },
+        Wings = new ThinWings { Spread = new[] { new ThinWing(ring: 32, length: 1.15, width: 0.32, azimuth: 2, elevation: 33) } },
         Parts = new[]
         {
             new PartSlot(
