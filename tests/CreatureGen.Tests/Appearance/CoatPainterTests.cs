@@ -110,6 +110,19 @@ public sealed class CoatPainterTests
     }
 
     [Fact]
+    public void A_thigh_whose_root_reaches_the_belly_is_pale_on_its_inner_side_and_not_behind()
+    {
+        var painter = new CoatPainter(tabby with { PatternStrength = 0 }, Subject());
+        var position = new Vector3(0.1f, 0.8f, -0.5f);
+        VertexAddress thigh = Address(SurfaceRegion.Leg, 42, 13);
+        thigh.Along = 0.12f;
+        Vector3 belly = OklchColour.ToLinearRgb(tabby.Belly);
+        float inner = Distance(painter.At(thigh, position, -Vector3.UnitX), belly);
+        float behind = Distance(painter.At(thigh, position, -Vector3.UnitZ), belly);
+        Assert.True(inner < 0.5f * behind, FormattableString.Invariant($"{inner} and {behind} from the belly"));
+    }
+
+    [Fact]
     public void Mouth_and_ears_have_colours_of_their_own()
     {
         var painter = new CoatPainter(tabby, Subject());

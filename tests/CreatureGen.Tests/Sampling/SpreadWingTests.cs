@@ -32,6 +32,18 @@ public sealed class SpreadWingTests
     }
 
     [Fact]
+    public void Wings_of_feathers_are_raised_so_far_that_they_are_no_stubs_from_the_side()
+    {
+        double[] rises = Enumerable.Range(9_943_001, 60)
+            .Select(seed => BlueprintSampler.Sample((ulong)seed, CreatureOptions.Default with { Kind = RequestedKind.Flying }))
+            .Where(flier => flier.Wings.Count > 0 && flier.Wings[0].Style is WingStyle.Feathered or WingStyle.Falcon or WingStyle.Owl or WingStyle.Albatross or WingStyle.Hummingbird)
+            .Select(flier => flier.Wings[0].Rise)
+            .ToArray();
+        Assert.NotEmpty(rises);
+        Assert.All(rises, rise => Assert.True(rise > 0.53, FormattableString.Invariant($"{rise}")));
+    }
+
+    [Fact]
     public void Hind_wings_of_mixed_butterflies_are_larger_or_smaller_and_those_of_animals_are_not()
     {
         Assert.Equal(0.0, Spread(0), 12);

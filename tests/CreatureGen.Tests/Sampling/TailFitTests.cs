@@ -407,6 +407,25 @@ public sealed class TailFitTests
         }
     }
 
+    [Fact]
+    public void Bare_tails_behind_legs_end_pointing_down()
+    {
+        var falls = new List<double>();
+        for (ulong seed = First; seed < First + Count; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking });
+            if (creature.Tail.Style is TailStyle.Saurian or TailStyle.Whip or TailStyle.Paddle && creature.Plan is not (BodyPlan.Legless or BodyPlan.ManyLegged or BodyPlan.Hexapod))
+            {
+                BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
+                falls.Add(Math.Atan2(shape.Y[StationRing.TailTwoThirds] - shape.Y[StationRing.TailTip], shape.Z[StationRing.TailTwoThirds] - shape.Z[StationRing.TailTip]) * 180 / Math.PI);
+            }
+        }
+
+        // Without the rule a tenth of them end level or bend up (-.4).
+        falls.Sort();
+        Assert.True(falls.Count > 20 && falls[falls.Count / 10] > 4, FormattableString.Invariant($"{falls[falls.Count / 10]:0.0} degrees in the tenth least of {falls.Count}"));
+    }
+
     /// <summary>Radius of the largest section, metres.</summary>
     private static double Largest(BodyShape shape, int first, int last)
     {
