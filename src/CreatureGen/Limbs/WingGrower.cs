@@ -46,9 +46,6 @@ internal static class WingGrower
     private const float Hung = 0.3f;
     private const float OuterHung = 0.2f;
 
-    /// <summary>How much thicker the arm of a wing is at the shoulder: as thin as at the elbow it is a stick that a wing hangs on.</summary>
-    private const float Shoulder = 0.55f;
-
     private const int MembraneRows = 28;
 
     // Where across its width a feather is longest, and what of the notch outside of it the one inside of it is: cut off straight on one side feathers are the teeth of a saw.
@@ -58,6 +55,9 @@ internal static class WingGrower
     /// <summary>Chord lines of one feather, in its widths: four, or three where there are many.</summary>
     private static readonly float[] dense = { 0.02f, 0.35f, 0.7f, 0.99f };
     private static readonly float[] sparse = { 0.02f, 0.5f, 0.99f };
+
+    /// <summary>The edge along which the bones of all wings lie.</summary>
+    private static readonly WingForm arm = new() { Stations = new[] { 0, 0.1, 0.3, 0.52, 0.8, 0.93, 1 }, Lead = new[] { 0, 0.01, 0.03, 0.15, 0.11, 0.075, 0.045 } };
 
     /// <summary>Height of the leading edge over the span, for a rise of 1: it goes on rising to the tip, or it is a cap cut off level from the side.</summary>
     private static readonly MonotoneCurve rise = new(new[] { 0, 0.3, 0.52, 0.8, 1 }, new[] { 0, 0.30, 0.61, 0.85, 0.95 });
@@ -78,7 +78,7 @@ internal static class WingGrower
         int firstFace = surface.Faces.Count;
         WingForm form = WingForm.Of(wing.Style);
         Func<float, Vector3> edge = LeadingEdge(wing, form, socket);
-        Func<float, Vector3> bones = LeadingEdge(wing, HenWing.Form, socket);
+        Func<float, Vector3> bones = LeadingEdge(wing, arm, socket);
         float root = 2f * socket.HalfLength;
 
         BodyShape shape = body.Skin.Shape;
@@ -186,7 +186,7 @@ internal static class WingGrower
 
     private static float Thickness(float thickest, float s, float u)
     {
-        float r = thickest * (1f - (0.65f * s) + (Shoulder * (1f - Scalar.Smooth(s / Hung))));
+        float r = thickest * (1f - (0.65f * s));
         return u < 0.25f
             ? r * (float)Math.Sqrt(Scalar.Clamp(u / 0.12f, 0f, 1f)) * (u < 0.12f ? 1f : 1f - (0.75f * Scalar.Smooth((u - 0.12f) / 0.13f)))
             : r * 0.25f * (1f - (u * 0.75f));
