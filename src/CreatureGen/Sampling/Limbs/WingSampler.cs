@@ -47,8 +47,8 @@ internal static class WingSampler
     private const int FirstOfTrunk = 26;
     private const int LastOfTrunk = 40;
 
-    /// <summary>Part of the way from what is drawn to upright by which a wing of feathers is raised more than a membrane, which is deep enough to be seen from the side.</summary>
-    private const double FeathersRaised = 0.2;
+    /// <summary>Least rise of a wing of feathers; membranes are deep enough to be seen from the side.</summary>
+    private const double LeastOfFeathers = 0.54;
 
     /// <summary>Degrees; thin wings that point farther back lie along the body.</summary>
     private const double FoldedAzimuth = -60;
@@ -128,7 +128,7 @@ internal static class WingSampler
 
         // Hardly raised, a wing of feathers is a stub from the side; hardly swept, a raised one is its own edge from there.
         double rise = random.Uniform(0.42, 0.75);
-        rise = form.Feathers > 0 ? FeathersRaised + (rise * (1 - FeathersRaised)) : rise;
+        rise = form.Feathers > 0 ? Math.Max(LeastOfFeathers, rise) : rise;
         double sweep = random.Uniform(0.22, 0.4);
         ThinWing[] thins = builder.Species.Class == AnimalClass.Arthropod ? insectWings : fairyWings[builder.Stream("thin wing family").Integer(0, fairyWings.Length)];
         foreach (WingPlacement wing in placement.Wings)
