@@ -138,7 +138,7 @@ public sealed class MotionProfile
 
     private LyingManner? FindLying()
     {
-        ActAbility lie = Acts.RehearseNamed("Lie");
+        ActAbility lie = Acts.RehearseLyingOnBelly();
         return lie.IsPossible ? new LyingManner(lie.Act, lie.Parts, ActTempo.Of(lie.Act, Acts.Body), Acts.Body, Acts.Room) : null;
     }
 

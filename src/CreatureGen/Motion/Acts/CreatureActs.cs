@@ -58,9 +58,8 @@ public sealed class CreatureActs
     /// <exception cref="ArgumentNullException">There is no act.</exception>
     public IEnumerable<ActAbility?> RehearseInSteps(Act act) => rehearsal.Steps(act ?? throw new ArgumentNullException(nameof(act)));
 
-    /// <summary>Tries an act that comes with the library, and no other.</summary>
-    /// <param name="name">Its name, to the letter.</param>
-    internal ActAbility RehearseNamed(string name) => FirstPossible(ActLibrary.All.Where(act => act.Name == name), rehearsal.Stage());
+    /// <summary>Tries lying down on the belly, and no other act.</summary>
+    internal ActAbility RehearseLyingOnBelly() => FirstPossible(ActLibrary.All.Where(act => act.Name == "Lie" && !Rehearsal.Uses(act, ActChannel.OnFlank)), rehearsal.Stage());
 
     /// <summary>How far the trunk goes over planted feet.</summary>
     internal TrunkRoom Room => rehearsal.Room;

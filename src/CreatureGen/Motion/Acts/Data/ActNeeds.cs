@@ -42,7 +42,7 @@ public enum ActNeeds
     /// <summary>The abdomen of an insect.</summary>
     Abdomen = 1024,
 
-    /// <summary>Flanks to lie on: a body that is not upright, on legs below it, without spread wings beside it.</summary>
+    /// <summary>Flanks to lie on: a body on legs below it, without spread wings beside it.</summary>
     Flanks = 2048,
 
     /// <summary>A back to lie on: a body with its legs out to the sides, without spread wings, and without horns that would dig into the ground.</summary>

@@ -34,6 +34,20 @@ internal static class Postures
         new ActPhase("roll back", 3f).To(OnFlank, 0f).To(ForeDown, 0.97f).To(HindDown, 0.97f).To(ForeFold, 1f).To(HindFold, 1f).To(ForeFeetPitch, 0f).To(HindFeetPitch, 0f).To(NeckSide, 0f).To(HeadSide, 0f).To(TailSide, 0f).To(Lids, 0f),
     };
 
+    // Of an upright body, on its side.
+    private static readonly ActPhase[] sleepOnSide =
+    {
+        new ActPhase("nod", 3f).To(NeckPitch, -0.5f).To(NeckSide, 0.8f).To(HeadSide, 0.2f).To(TailSide, 0.5f).To(Lids, 1f).To(Ears, 0.35f),
+        new ActPhase("sleep", 14f).Lasting().With(new ActWave(BackPitch, 0.012f, 2.5f)),
+        new ActPhase("wake", 1.6f).To(Lids, 0.2f).To(NeckSide, 0.1f).To(NeckPitch, 0.1f).To(Ears, -0.3f),
+    };
+
+    private static readonly ActPhase[] recline =
+    {
+        new ActPhase("recline", 2f).To(NeckPitch, 0.1f).To(NeckSide, -0.9f).To(HeadSide, -0.2f).To(TailSide, 0.4f),
+        new ActPhase("lie", 10f).To(Lids, 0.1f).Lasting().With(new ActWave(BackPitch, 0.008f, 2.5f)).With(new ActWave(NeckPitch, 0.12f, 1f)).With(new ActWave(HeadPitch, 0.12f, 1f, 0.1f)).With(new ActWave(TailPitch, 0.12f, 1f)),
+    };
+
     public static readonly Act[] All =
     {
         new Act("Sit", ActKind.Posture,
@@ -45,12 +59,14 @@ internal static class Postures
             .Needing(ActNeeds.Legs).For(BodyBuild.Pawed | BodyBuild.Upright).OnTheSpot(),
         Lying("Lie", GettingDownOnPaws(lie)).For(BodyBuild.Pawed),
         Lying("Lie", GettingDownOnHooves(lie)).For(BodyBuild.Hoofed | BodyBuild.Columnar),
+        Lying("Lie", GettingDownSideways(recline)).Needing(ActNeeds.Legs | ActNeeds.Flanks).For(BodyBuild.Upright),
         Lying("Lie", GettingDownUpright(propped)).For(BodyBuild.Upright),
         Lying("Lie", GettingDown(lie)).For(BodyBuild.Standing),
         Lying("Sleep", GettingDownOnPaws(sleepOnFlank)).Needing(ActNeeds.FourLegs | ActNeeds.Flanks).For(BodyBuild.Pawed),
         Lying("Sleep", GettingDownOnHooves(sleepOnFlank)).Needing(ActNeeds.FourLegs | ActNeeds.Flanks).For(BodyBuild.Hoofed | BodyBuild.Columnar),
         Lying("Sleep", GettingDownOnPaws(sleep)).For(BodyBuild.Pawed),
         Lying("Sleep", GettingDownOnHooves(sleep)).For(BodyBuild.Hoofed | BodyBuild.Columnar),
+        Lying("Sleep", GettingDownSideways(sleepOnSide)).Needing(ActNeeds.Legs | ActNeeds.Flanks).For(BodyBuild.Upright),
         Lying("Sleep", GettingDownUpright(sleep)).For(BodyBuild.Upright),
         Lying("Sleep", GettingDown(sleep)).For(BodyBuild.Standing),
         new Act("Sleep", ActKind.Posture,
@@ -59,9 +75,24 @@ internal static class Postures
             new ActPhase("wake", 2.4f).To(ForeDown, 0f).To(NeckSide, 0f).To(Lids, 0f))
             .Needing(ActNeeds.Head).For(BodyBuild.Legless),
         new Act("Sleep", ActKind.Posture,
+            new ActPhase("sink", 5f).To(Up, -0.4f).To(Pitch, -0.3f).To(Roll, 0.3f).To(BackPitch, -0.2f).To(BackSide, 0.12f).To(NeckPitch, -0.35f).To(HeadPitch, -0.15f).To(TailPitch, -0.35f).To(TailSide, 0.35f).To(Wings, -0.7f).To(Lids, 1f),
+            new ActPhase("sleep", 14f).Lasting().With(new ActWave(Up, 0.12f, 2f)).With(new ActWave(Roll, 0.1f, 1f)).With(new ActWave(Pitch, 0.04f, 2f, 0.2f)).With(new ActWave(TailSide, 0.15f, 1f, 0.3f)).With(new ActWave(Wings, 0.1f, 2f, 0.3f)),
+            new ActPhase("stretch", 2.4f).To(Up, 0f).To(Pitch, 0.1f).To(Roll, 0f).To(BackPitch, 0.15f).To(BackSide, -0.15f).To(NeckPitch, 0.1f).To(HeadPitch, 0f).To(TailPitch, 0.1f).To(TailSide, -0.4f).To(Wings, 0.5f).To(Lids, 0f),
+            new ActPhase("level", 2.4f).To(Pitch, 0f).To(BackPitch, 0f).To(BackSide, 0f).To(NeckPitch, 0f).To(TailPitch, 0f).To(TailSide, 0f).To(Wings, 0f))
+            .For(BodyBuild.Swimming),
+        new Act("Sleep", ActKind.Posture,
             new ActPhase("nod", 4f).To(Lids, 1f).To(NeckPitch, -0.1f).To(Wings, -0.2f),
             new ActPhase("sleep", 14f).Lasting().With(new ActWave(Up, 0.02f, 2.5f)).With(new ActWave(Roll, 0.03f, 1f)),
             new ActPhase("wake", 2.4f).To(Lids, 0f).To(NeckPitch, 0f).To(Wings, 0f)),
+        new Act("Die", ActKind.Posture, [
+            new ActPhase("reel", 1.6f).To(Aside, 0.06f).To(Roll, -0.06f).To(NeckPitch, 0.3f).To(NeckSide, -0.3f).To(Lids, 0.5f).To(Jaw, 0.4f).To(Ears, 0.8f).To(ArmsOut, 0.4f),
+            new ActPhase("buckle", 1.4f, ActEase.In).To(HindDown, 0.6f).To(HindFold, 0.4f).To(Aside, 0f).To(NeckPitch, -0.2f).To(ArmsAhead, 0.3f).To(ArmsOut, 0.1f),
+            new ActPhase("topple", 1.8f, ActEase.In).To(HindDown, 0.9f).To(HindFold, 0f).To(ForeFold, 1f).To(OnFlank, 0.8f).To(NeckPitch, 0.1f).To(NeckSide, -0.5f).To(Roll, 0f).To(ArmsAhead, 0.1f).To(ArmsOut, -0.5f),
+            new ActPhase("drop", 1f, ActEase.Out).To(OnFlank, 1f).To(NeckSide, 0.7f).To(HeadSide, 0.2f).To(TailSide, 0.6f).To(Jaw, 0.3f),
+            new ActPhase("settle", 1.6f, ActEase.Out).To(HindDown, 0.7f).To(NeckPitch, -0.2f).To(NeckSide, 0.8f).To(Lids, 0.8f),
+            new ActPhase("still", 5f).Lasting(),
+            .. GettingUpSideways()])
+            .Needing(ActNeeds.Legs | ActNeeds.Flanks).For(BodyBuild.Upright).OnTheSpot(),
         new Act("Die", ActKind.Posture,
             new ActPhase("reel", 1.6f).To(Aside, 0.06f).To(Roll, -0.06f).To(NeckPitch, 0.3f).To(NeckSide, -0.3f).To(Lids, 0.5f).To(Jaw, 0.4f).To(Ears, 0.8f).To(ArmsOut, 0.4f),
             new ActPhase("buckle", 1.4f, ActEase.In).To(HindDown, 0.5f).To(HindFold, 0.4f).To(Aside, 0f).To(NeckPitch, -0.2f).To(ArmsAhead, 0.4f),
@@ -110,10 +141,11 @@ internal static class Postures
         DyingOnBelly(-0.6f).For(BodyBuild.TwoLegged),
         DyingOnBelly(0f).For(BodyBuild.Standing),
         new Act("Die", ActKind.Posture,
-            new ActPhase("jerk", 1f, ActEase.Out).To(BackSide, 0.5f).To(NeckSide, 0.5f).To(Jaw, 0.6f).To(NeckPitch, 0.5f),
-            new ActPhase("roll", 5f).To(BackSide, 0.15f).To(Roll, 2.8f).To(NeckPitch, 0f).To(Lids, 0.8f).To(Jaw, 0.3f).To(Wings, 0.4f),
-            new ActPhase("still", 5f).Lasting().With(new ActWave(Up, 0.03f, 1f)),
-            new ActPhase("rise", 4f).To(BackSide, 0f).To(NeckSide, 0f).To(Roll, 0f).To(Lids, 0f).To(Jaw, 0f).To(Wings, 0f))
+            new ActPhase("jerk", 1f, ActEase.Out).To(BackSide, 0.5f).To(TailSide, 0.8f).To(NeckSide, 0.5f).To(Jaw, 0.6f).To(NeckPitch, 0.5f).To(Wings, 0.6f),
+            new ActPhase("twitch", 1.2f).To(BackSide, -0.3f).To(TailSide, -0.7f).To(NeckSide, -0.2f).To(NeckPitch, 0.1f).To(Roll, 0.5f).To(Wings, -0.2f),
+            new ActPhase("roll", 5f).To(BackSide, 0.15f).To(BackPitch, 0.15f).To(TailSide, 0.2f).To(TailPitch, 0.3f).To(NeckSide, 0.2f).To(Roll, 2.8f).To(Up, 0.3f).To(Lids, 0.8f).To(Jaw, 0.35f).To(Wings, 0.4f),
+            new ActPhase("still", 5f).Lasting().With(new ActWave(Up, 0.05f, 1f)).With(new ActWave(Roll, 0.06f, 1f, 0.3f)),
+            new ActPhase("rise", 4f).To(Up, 0f).To(BackSide, 0f).To(BackPitch, 0f).To(TailSide, 0f).To(TailPitch, 0f).To(NeckSide, 0f).To(NeckPitch, 0f).To(Roll, 0f).To(Lids, 0f).To(Jaw, 0f).To(Wings, 0f))
             .For(BodyBuild.Swimming | BodyBuild.Airborne),
         new Act("Die", ActKind.Posture,
             new ActPhase("reel", 2f).To(NeckPitch, 0.7f).To(HeadPitch, -0.3f).To(NeckSide, 0.4f).To(Jaw, 0.7f),
@@ -166,15 +198,37 @@ internal static class Postures
         {
             new ActPhase("look", 1.2f).To(NeckPitch, -0.35f).To(HeadPitch, -0.15f).To(HindDown, 0.12f),
             new ActPhase("squat", 2.2f).To(HindDown, Squat.HindDown).To(HindFold, 0.6f).To(ArmsAhead, 0.5f).To(NeckPitch, -0.1f).To(HeadPitch, 0f),
-            new ActPhase("hands", 2.2f).To(HindDown, 0.9f).To(HindFold, 0.3f).To(ForeFold, 0.45f).To(ArmsAhead, 1.1f).To(NeckPitch, 0.3f),
+            new ActPhase("hands", 2.2f).To(HindDown, 0.7f).To(HindFold, 0.3f).To(ForeFold, 0.5f).To(ArmsAhead, 1.1f).To(NeckPitch, 0.3f),
             new ActPhase("sink", 2.6f).To(HindDown, 1f).To(HindFold, 0f).To(ForeFold, 1f).To(ArmsAhead, 1.3f).To(ArmsBend, 0.4f).To(NeckPitch, 0.6f).To(TailPitch, -0.8f),
         };
         phases.AddRange(there);
-        phases.Add(new ActPhase("push", 2.4f).To(HindDown, 0.85f).To(HindFold, 0.3f).To(ForeFold, 0.45f).To(ArmsBend, 0f).To(ArmsAhead, 0.9f).To(NeckPitch, 0.3f).To(Lids, 0f).To(TailPitch, 0f));
-        phases.Add(new ActPhase("gather", 2.2f).To(HindDown, 0.6f).To(HindFold, 0.6f).To(ForeFold, 0f).To(ArmsAhead, 0.3f).To(NeckPitch, -0.1f).To(TailSide, 0f));
+        phases.Add(new ActPhase("push", 2.4f).To(HindDown, 0.7f).To(HindFold, 0.3f).To(ForeFold, 0.5f).To(ArmsBend, 0f).To(ArmsAhead, 0.9f).To(NeckPitch, 0.3f).To(Lids, 0f).To(TailPitch, 0f));
+        phases.Add(new ActPhase("gather", 2.2f).To(HindDown, 0.55f).To(HindFold, 0.6f).To(ForeFold, 0f).To(ArmsAhead, 0.3f).To(NeckPitch, -0.1f).To(TailSide, 0f));
         phases.Add(new ActPhase("stand", 2.2f).To(HindDown, 0f).To(HindFold, 0f).To(ArmsAhead, 0f).To(NeckPitch, 0f).To(Ears, 0f));
         return phases.ToArray();
     }
+
+    /// <summary>The same onto its side: it squats and tips over, its legs bent beside it as they like; and up again the same way.</summary>
+    private static ActPhase[] GettingDownSideways(params ActPhase[] there)
+    {
+        var phases = new List<ActPhase>
+        {
+            new ActPhase("look", 1.2f).To(NeckPitch, -0.35f).To(HeadPitch, -0.15f).To(HindDown, 0.12f),
+            new ActPhase("squat", 2.2f).To(HindDown, Squat.HindDown).To(HindFold, 0.6f).To(ArmsAhead, 0.3f).To(NeckPitch, -0.1f).To(HeadPitch, 0f),
+            new ActPhase("tip", 2.4f).To(HindDown, 0.75f).To(HindFold, 0.2f).To(ForeFold, 0.55f).To(OnFlank, 0.5f).To(ArmsAhead, 0.1f).To(ArmsOut, -0.5f).To(NeckSide, -0.5f),
+            new ActPhase("side", 2.4f).To(HindDown, 1f).To(HindFold, 0f).To(ForeFold, 1f).To(OnFlank, 1f).To(NeckSide, -0.3f),
+        };
+        phases.AddRange(there);
+        phases.AddRange(GettingUpSideways());
+        return phases.ToArray();
+    }
+
+    private static ActPhase[] GettingUpSideways() => new[]
+    {
+        new ActPhase("tip back", 2.8f).To(HindDown, 0.75f).To(HindFold, 0.2f).To(ForeFold, 0.55f).To(OnFlank, 0.5f).To(NeckPitch, 0.1f).To(NeckSide, -0.5f).To(HeadSide, 0f).To(TailSide, 0f).To(Lids, 0f).To(Jaw, 0f),
+        new ActPhase("gather", 2.4f).To(OnFlank, 0f).To(HindDown, Squat.HindDown).To(HindFold, 0.6f).To(ForeFold, 0f).To(ArmsAhead, 0.3f).To(ArmsOut, 0f).To(NeckPitch, -0.1f).To(NeckSide, 0f),
+        new ActPhase("stand", 2.2f).To(HindDown, 0f).To(HindFold, 0f).To(ArmsAhead, 0f).To(NeckPitch, 0f).To(Ears, 0f),
+    };
 
     /// <summary>The same on paws: hips last, and up fore first.</summary>
     private static ActPhase[] GettingDownOnPaws(params ActPhase[] there)

@@ -85,8 +85,8 @@ internal sealed class ActLayer
 
         // Folded legs let the chest down to the ground by itself, be it higher than the belly or not.
         float chest = Scalar.Lerp(belly, body.ChestHeight, Scalar.Clamp(values[(int)ActChannel.ForeFold], 0f, 1f));
-        Trunk.ForeDown = body.Legs.IsBiped ? hind * belly : fore * chest;
-        Trunk.HindDown = hind * belly;
+        Trunk.ForeDown = body.Legs.IsBiped ? hind * (belly + (stretched * folded.Sag)) : fore * chest;
+        Trunk.HindDown = hind * (belly + (stretched * folded.Sag));
         Trunk.BackPitch = values[(int)ActChannel.BackPitch];
         Trunk.BackSide = side * values[(int)ActChannel.BackSide];
         Trunk.BackTwist = side * values[(int)ActChannel.BackTwist];
@@ -106,16 +106,19 @@ internal sealed class ActLayer
 
             // Legs go over with a body that rolls over, and come together so that it lies on its flank, or its back, and not on them.
             bool isLower = (body.Legs.Legs[leg].Side == Side.Left) == (side * values[(int)ActChannel.OnFlank] > 0f);
-            Trunk.Feet[leg].Way.X -= Math.Max(over, drawnIn) * (1f - fold) * (onBack ? BelowHip(leg) : Inward(leg, isLower));
+            Trunk.Feet[leg].Way.X -= Math.Max(over, drawnIn) * (1f - fold) * (onBack ? BelowHip(leg) : Inward(leg, isLower, stretched * folded.Stretched.Ways[leg].X));
             Trunk.Feet[leg].Loose = Math.Max(Trunk.Feet[leg].Loose, over);
             Loose = Math.Min(Loose, Trunk.Feet[leg].Loose);
         }
     }
 
     /// <summary>How far a foot of a body on its flank goes to the right of where it stands if it is a left one, metres: the lower ones come to the middle, the upper ones as far as they do not go into these, and off them where paws are broad.</summary>
-    private float Inward(int leg, bool isLower)
+    /// <param name="leg">Whose foot.</param>
+    /// <param name="isLower">Whether it is one of the lower ones.</param>
+    /// <param name="stretched">How far to the left of its place it is stretched out, metres.</param>
+    private float Inward(int leg, bool isLower, float stretched)
     {
-        float home = body.Legs!.Legs[leg].Home.X;
+        float home = body.Legs!.Legs[leg].Home.X + stretched;
         float together = Together * Math.Abs(home);
         return Math.Sign(home) * (isLower ? together : Math.Min(together, (2f * body.FeetFromMiddle[leg]) - together));
     }

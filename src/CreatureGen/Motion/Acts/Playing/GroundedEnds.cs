@@ -209,7 +209,8 @@ internal sealed class GroundedEnds
 
         for (int round = 0; round < ClearingRounds && lying > 0f; round++)
         {
-            float raise = lying * Math.Min(skin.Raise(ground, model.Positions[shoulder], model), MaxCleared);
+            // All that the swing has left: next to nothing where the body is hardly over.
+            float raise = Math.Min(skin.Raise(ground, model.Positions[shoulder], model), MaxCleared);
             Turn(shoulder, AxisRotation.Roll(over > 0f ? raise : -raise), local, model);
         }
     }

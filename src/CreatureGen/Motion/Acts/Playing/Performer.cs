@@ -281,6 +281,8 @@ internal sealed class Performer
         {
             float lowest = body.BearingSkin.Lowest(ground, model);
             float onBack = Scalar.Smooth((Math.Abs(over) - LyingSide.Flank.Farthest) / (MathF.PI - LyingSide.Flank.Farthest));
+            float onFlank = Scalar.Smooth(Math.Abs(over) / LyingSide.Flank.Nearest);
+            lowest += onFlank > 0f && body.Arms.Length > 0 ? onFlank * Math.Min(0f, body.ShoulderSkin.Lowest(ground, model) - lowest) : 0f;
             lowest += onBack > 0f ? onBack * Math.Min(0f, body.NeckSkin.Lowest(ground, model) - lowest) : 0f;
             float raised = -Scalar.Smooth(layer.Loose / Borne) * lowest;
             local.Positions[body.Body] += new Vector3(0f, raised, 0f);

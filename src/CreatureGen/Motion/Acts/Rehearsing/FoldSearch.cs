@@ -62,9 +62,14 @@ internal static class FoldSearch
             yield return cost;
         }
 
-        foreach (float cost in body.Build == BodyBuild.Upright ? Stretched(body, stage, legs) : OnFlank(body, stage, legs))
+        foreach (float cost in body.Build == BodyBuild.Upright ? Stretched(body, stage, legs) : [])
         {
             yield return cost;
+        }
+
+        foreach (float height in OnFlank(body, stage, legs))
+        {
+            yield return height;
         }
     }
 
@@ -76,15 +81,19 @@ internal static class FoldSearch
             yield break;
         }
 
+        // The legs of an upright one are stretched out behind it on its belly, and stay so.
+        bool isUpright = body.Build == BodyBuild.Upright;
         LyingSide side = body.LyingSide;
-        legs.Tip = side == LyingSide.Back ? Elevation(body, stage) : 0f;
+        legs.Tip = side == LyingSide.Back ? Elevation(body, stage) : legs.Tip;
         var values = new float[Act.ChannelCount];
-        values[(int)ActChannel.ForeDown] = values[(int)ActChannel.HindDown] = values[(int)ActChannel.ForeFold] = values[(int)ActChannel.HindFold] = 1f;
+        values[(int)ActChannel.ForeDown] = values[(int)ActChannel.HindDown] = values[(int)ActChannel.ForeFold] = 1f;
+        values[(int)ActChannel.HindFold] = isUpright ? 0f : 1f;
         stage.Show(values);
         float lowest = side.MaxRise * Height();
-        values[(int)ActChannel.ForeDown] = values[(int)ActChannel.HindDown] = side.Down;
+        values[(int)ActChannel.ForeDown] = values[(int)ActChannel.HindDown] = isUpright ? 1f : side.Down;
         values[(int)ActChannel.Up] = side.AwayFromFeet;
-        values[(int)ActChannel.ForeFold] = values[(int)ActChannel.HindFold] = 0f;
+        values[(int)ActChannel.ForeFold] = isUpright ? 1f : 0f;
+        values[(int)ActChannel.HindFold] = 0f;
         values[(int)ActChannel.ForeFeetPitch] = values[(int)ActChannel.HindFeetPitch] = LyingSide.ToesDown;
         values[(int)ActChannel.OnFlank] = 1f;
         float best = 0f;
@@ -111,6 +120,8 @@ internal static class FoldSearch
         legs.Tip = Elevation(body, stage) - Propped;
         values[(int)ActChannel.HindDown] = 1f;
         values[(int)ActChannel.ForeFold] = 1f;
+        stage.Show(values);
+        legs.Sag = body.TrunkSkin.Lowest(stage.Model);
         return Pairs(body, stage, legs.Stretched, (stretchedBeginnings, stretchedMin), values);
     }
 

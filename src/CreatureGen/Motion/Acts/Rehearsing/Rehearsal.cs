@@ -200,7 +200,7 @@ internal sealed class Rehearsal
 
     private static bool Folds(Act act) => Uses(act, ActChannel.ForeFold) || Uses(act, ActChannel.HindFold) || Uses(act, ActChannel.OnFlank);
 
-    private static bool Uses(Act act, ActChannel channel)
+    public static bool Uses(Act act, ActChannel channel)
     {
         foreach (float[] end in act.Ends)
         {
