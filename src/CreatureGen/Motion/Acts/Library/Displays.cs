@@ -86,10 +86,17 @@ internal static class Displays
             new ActPhase("level", 2.4f).To(Up, 0f).To(Ahead, 0f).To(Pitch, 0f).To(Roll, 0f).To(BackPitch, 0f).To(BackSide, 0f).To(NeckPitch, 0f).To(NeckSide, 0f).To(HeadPitch, 0f).To(TailPitch, 0f).To(TailSide, 0f).To(Ears, 0f).To(Wings, 0f))
             .Needing(ActNeeds.Head).For(BodyBuild.Swimming),
         new Act("Submit", ActKind.Display,
+            new ActPhase("sink", 2.6f).To(ForeDown, 0.8f).To(NeckPitch, -0.15f).To(HeadPitch, -0.15f).To(NeckSide, 0.15f).To(Ears, 1f).To(Wings, -0.4f),
+            new ActPhase("turn away", 1.8f).To(ForeDown, 1f).To(NeckSide, 0.7f).To(HeadSide, 0.3f).To(HeadRoll, 0.35f).To(Lids, 0.4f),
+            new ActPhase("stay", 6f).With(new ActWave(HeadSide, 0.08f, 1f)).With(new ActWave(NeckSide, 0.03f, 8f)),
+            new ActPhase("look up", 1.6f).To(ForeDown, 0.6f).To(NeckSide, 0.1f).To(HeadPitch, 0.15f).To(HeadSide, 0f).To(HeadRoll, 0f).To(Lids, 0f),
+            new ActPhase("rise", 2.4f).To(ForeDown, 0f).To(NeckPitch, 0f).To(NeckSide, 0f).To(HeadPitch, 0f).To(Ears, 0f).To(Wings, 0f))
+            .Needing(ActNeeds.Head).For(BodyBuild.Legless),
+        new Act("Submit", ActKind.Display,
             new ActPhase("shrink", 2.2f).To(Ahead, -0.10f).To(NeckPitch, -0.35f).To(HeadPitch, -0.1f).To(HeadRoll, 0.2f).To(Ears, 1f).To(Lids, 0.4f).To(TailPitch, -0.6f).To(TailCurl, -0.4f).To(Wings, -0.4f).To(BackPitch, -0.15f),
             new ActPhase("stay", 7f).With(new ActWave(Up, 0.006f, 12f)).With(new ActWave(HeadSide, 0.08f, 1f)),
             new ActPhase("straighten", 2.4f).To(Ahead, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(HeadRoll, 0f).To(Ears, 0f).To(Lids, 0f).To(TailPitch, 0f).To(TailCurl, 0f).To(Wings, 0f).To(BackPitch, 0f))
-            .Needing(ActNeeds.Head).For(BodyBuild.Legless | BodyBuild.Airborne).OnTheSpot(),
+            .Needing(ActNeeds.Head).For(BodyBuild.Airborne).OnTheSpot(),
         Dances.OfLegs,
         Dances.OfFliers,
         Dances.OfOthers,

@@ -29,6 +29,10 @@ internal sealed class ActLayer
     /// <summary>How far feet come to the middle below a body on its flank, parts of the way.</summary>
     private const float Together = 0.7f;
 
+    /// <summary>How far ahead of the lower one the upper leg of an upright body on its side is, parts of the leg, and how far its foot comes down across the middle, parts of the way there.</summary>
+    private const float Staggered = 0.45f;
+    private const float Across = 1.7f;
+
     /// <summary>How far a body that rolls over onto its back is over when legs out to the sides are drawn in whole: it would climb over them.</summary>
     private const float DrawnIn = 0.15f;
 
@@ -106,7 +110,8 @@ internal sealed class ActLayer
 
             // Legs go over with a body that rolls over, and come together so that it lies on its flank, or its back, and not on them.
             bool isLower = (body.Legs.Legs[leg].Side == Side.Left) == (side * values[(int)ActChannel.OnFlank] > 0f);
-            Trunk.Feet[leg].Way.X -= Math.Max(over, drawnIn) * (1f - fold) * (onBack ? BelowHip(leg) : Inward(leg, isLower, stretched * folded.Stretched.Ways[leg].X));
+            Trunk.Feet[leg].Way.X -= Math.Max(over, drawnIn) * (1f - fold) * (onBack ? BelowHip(leg) : Inward(leg, isLower, stretched));
+            Trunk.Feet[leg].Way.Z += isLower ? 0f : over * stretched * Staggered * body.Legs.Legs[leg].Length;
             Trunk.Feet[leg].Loose = Math.Max(Trunk.Feet[leg].Loose, over);
             Loose = Math.Min(Loose, Trunk.Feet[leg].Loose);
         }
@@ -115,12 +120,13 @@ internal sealed class ActLayer
     /// <summary>How far a foot of a body on its flank goes to the right of where it stands if it is a left one, metres: the lower ones come to the middle, the upper ones as far as they do not go into these, and off them where paws are broad.</summary>
     /// <param name="leg">Whose foot.</param>
     /// <param name="isLower">Whether it is one of the lower ones.</param>
-    /// <param name="stretched">How far to the left of its place it is stretched out, metres.</param>
+    /// <param name="stretched">How far the legs are stretched out behind: then the upper one is ahead of the lower one, and comes down before it.</param>
     private float Inward(int leg, bool isLower, float stretched)
     {
-        float home = body.Legs!.Legs[leg].Home.X + stretched;
+        float home = body.Legs!.Legs[leg].Home.X + (stretched * folded.Stretched.Ways[leg].X);
         float together = Together * Math.Abs(home);
-        return Math.Sign(home) * (isLower ? together : Math.Min(together, (2f * body.FeetFromMiddle[leg]) - together));
+        float upper = Math.Min(together, (2f * body.FeetFromMiddle[leg]) - together);
+        return Math.Sign(home) * (isLower ? together : Scalar.Lerp(upper, Across * Math.Abs(home), stretched));
     }
 
     /// <summary>The same of a body on its back: nearly below the hip, and not past it, where a leg out to the side would have to turn round.</summary>

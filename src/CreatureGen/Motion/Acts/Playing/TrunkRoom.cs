@@ -1,4 +1,5 @@
 using System;
+using CreatureGen.Maths;
 
 namespace CreatureGen.Motion.Acts.Playing;
 
@@ -19,13 +20,14 @@ internal sealed class TrunkRoom
     /// <summary>All that is asked of a trunk, with legs that fold in these places.</summary>
     public static TrunkRoom Any(FoldedLegs legs) => new(Array.Empty<(ActChannel, float, float)>(), legs);
 
-    /// <summary>Brings values into it.</summary>
+    /// <summary>Brings values into it, by as much as feet stand: legs that are folded under a body let it go where it likes.</summary>
     public void Clamp(float[] values)
     {
+        float free = Scalar.Smooth(Math.Min(values[(int)ActChannel.ForeFold], values[(int)ActChannel.HindFold]));
         foreach ((ActChannel channel, float min, float max) in ways)
         {
             float value = values[(int)channel];
-            values[(int)channel] = value < min ? min : value > max ? max : value;
+            values[(int)channel] = Scalar.Lerp(value < min ? min : value > max ? max : value, value, free);
         }
     }
 }
