@@ -104,6 +104,7 @@ internal static class Displays
         Flinches.OfManyLegs,
         Flinches.OfTwoLegs,
         Flinches.OfSwimmers,
+        Flinches.OfFliers,
         Flinches.OfOthers,
     };
 }

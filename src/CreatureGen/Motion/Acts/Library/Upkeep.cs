@@ -61,6 +61,11 @@ internal static class Upkeep
             new ActPhase("up", 2.8f).To(Reach, 0f).To(Jaw, 0f).To(Ears, 0f))
             .Needing(ActNeeds.Head).With(ActTool.Mouth, 0.75f).For(BodyBuild.Standing),
         new Act("Sniff", ActKind.Upkeep,
+            new ActPhase("near", 3f).To(Pitch, -0.25f).To(NeckPitch, -0.2f).To(Reach, 1f).To(Ears, -0.7f).To(TailPitch, 0.3f).Then(ActMark.Contact),
+            new ActPhase("weave", 8f).To(Reach, 0.6f).With(new ActWave(Aside, 0.5f, 2f)).With(new ActWave(Yaw, 0.25f, 2f, 0.3f)).With(new ActWave(Roll, 0.2f, 2f)).With(new ActWave(NeckSide, 0.35f, 2f, 0.15f)).With(new ActWave(HeadPitch, 0.1f, 8f)).With(new ActWave(Ears, 0.4f, 6f, 0.3f)).With(new ActWave(TailSide, 0.3f, 2f, 0.4f)),
+            new ActPhase("back", 3f).To(Reach, 0f).To(Pitch, 0f).To(NeckPitch, 0f).To(Ears, 0f).To(TailPitch, 0f))
+            .Needing(ActNeeds.Head).With(ActTool.Mouth, 0.5f).For(BodyBuild.Airborne),
+        new Act("Sniff", ActKind.Upkeep,
             new ActPhase("rise", 1.6f).To(ForeDown, -0.09f).To(NeckPitch, 0.55f).To(HeadPitch, 0.2f).To(BackSide, 0.08f).To(NeckSide, 0.4f).To(TailPitch, 0.2f).To(TailSide, -0.3f),
             new ActPhase("towards", 2.2f).To(ForeDown, 0.08f).To(Ahead, 0.10f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(BackSide, 0f).To(NeckSide, 0f).To(Reach, 1f).To(Ears, -0.7f).To(TailSide, 0f).Then(ActMark.Contact),
             new ActPhase("sniff", 6f).To(Reach, 0.4f).With(new ActWave(BackSide, 0.08f, 2f)).With(new ActWave(NeckSide, 0.5f, 2f, 0.1f)).With(new ActWave(HeadSide, 0.25f, 2f, 0.15f)).With(new ActWave(HeadPitch, 0.10f, 8f)).With(new ActWave(Jaw, 0.05f, 8f)).With(new ActWave(Ears, 0.4f, 6f, 0.3f)).With(new ActWave(TailSide, 0.3f, 2f, 0.4f)),

@@ -30,8 +30,8 @@ internal sealed class ActLayer
     private const float Together = 0.7f;
 
     /// <summary>How far ahead of the lower one the upper leg of an upright body on its side is, parts of the leg, and how far its foot comes down across the middle, parts of the way there.</summary>
-    private const float Staggered = 0.45f;
-    private const float Across = 1.7f;
+    private const float Staggered = 0.25f;
+    private const float Across = 1.2f;
 
     /// <summary>How far a body that rolls over onto its back is over when legs out to the sides are drawn in whole: it would climb over them.</summary>
     private const float DrawnIn = 0.15f;

@@ -90,7 +90,7 @@ internal static class FoldSearch
         values[(int)ActChannel.HindFold] = isUpright ? 0f : 1f;
         stage.Show(values);
         float lowest = side.MaxRise * Height();
-        values[(int)ActChannel.ForeDown] = values[(int)ActChannel.HindDown] = isUpright ? 1f : side.Down;
+        values[(int)ActChannel.ForeDown] = values[(int)ActChannel.HindDown] = side.Down;
         values[(int)ActChannel.Up] = side.AwayFromFeet;
         values[(int)ActChannel.ForeFold] = isUpright ? 1f : 0f;
         values[(int)ActChannel.HindFold] = 0f;
