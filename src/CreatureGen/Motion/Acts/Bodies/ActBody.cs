@@ -77,7 +77,7 @@ internal sealed class ActBody
         ArmSkins = Array.ConvertAll(Arms, arm => Skin.Of(joint => Hangs(joint, arm.Joints[1])));
         BearingSkin = Skin.Of(joint => !Hangs(joint, Bearers.Length > 0 ? Bearers[0] : -1) && !Hangs(joint, Tail.Count > 0 ? Tail.Joints[0] : -1) && !Array.Exists(Arms, arm => Hangs(joint, arm.Joints[1])));
         TrunkSkin = Skin.Of(joint => legs != null && Array.IndexOf(legs.Trunk, joint) >= 0);
-        ShoulderSkin = Skin.Of(joint => Array.Exists(Arms, arm => joint == arm.Joints[1]));
+        ShoulderSkin = BonePoints.EveryOf(subject, joint => Array.Exists(Arms, arm => joint == arm.Joints[1]));
         NeckSkin = Skin.Of(joint => joint != Head && Array.IndexOf(Bearers, joint) >= 0);
         FeetFromMiddle = legs == null ? Array.Empty<float>() : Array.ConvertAll(legs.Legs, leg => Skin.Of(joint => Hangs(joint, leg.Ankle)).FromMiddle(Skeleton, leg.Side));
         Tools = new ActTools(subject, Head, Jaw, Arms, Tail, BallsOf(ForeFeet), BallsOf(HindFeet));

@@ -35,6 +35,22 @@ internal sealed class BonePoints
         return new BonePoints(points.ToArray());
     }
 
+    /// <summary>All points of the skin that some joints move most: where it folds, what is outermost at rest does not stay so.</summary>
+    public static BonePoints EveryOf(MotionSubject subject, Predicate<int> joints)
+    {
+        CreatureMesh mesh = subject.Mesh;
+        var points = new List<SkinPoint>();
+        for (int v = 0; v < mesh.Positions.Length; v++)
+        {
+            if (joints(mesh.Weights[v].Joint0))
+            {
+                points.Add(new SkinPoint(subject.Skeleton, mesh.Positions[v], mesh.Weights[v]));
+            }
+        }
+
+        return new BonePoints(points.ToArray());
+    }
+
     /// <summary>Those that some joints move most.</summary>
     public BonePoints Of(Predicate<int> joints) => new(Array.FindAll(points, point => joints(point.Joint)));
 

@@ -87,7 +87,7 @@ internal static class Postures
         new Act("Die", ActKind.Posture, [
             new ActPhase("reel", 1.6f).To(Aside, 0.06f).To(Roll, -0.06f).To(NeckPitch, 0.3f).To(NeckSide, -0.3f).To(Lids, 0.5f).To(Jaw, 0.4f).To(Ears, 0.8f).To(ArmsOut, 0.4f),
             new ActPhase("buckle", 1.4f, ActEase.In).To(HindDown, 0.6f).To(HindFold, 0.4f).To(Aside, 0f).To(NeckPitch, -0.2f).To(ArmsAhead, 0.3f).To(ArmsOut, 0.1f),
-            new ActPhase("topple", 1.8f, ActEase.In).To(HindDown, 0.5f).To(HindFold, 0f).To(ForeFold, 1f).To(OnFlank, 0.8f).To(NeckPitch, 0.1f).To(NeckSide, -0.5f).To(Roll, 0f).To(ArmsAhead, 0.1f).To(ArmsOut, -0.5f),
+            new ActPhase("topple", 1.8f, ActEase.In).To(HindDown, 0.5f).To(HindFold, 0f).To(ForeFold, 1f).To(OnFlank, 0.8f).To(NeckPitch, 0.1f).To(NeckSide, -0.5f).To(Roll, 0f).To(ArmsAhead, 0.1f).To(ArmsOut, -0.2f),
             new ActPhase("drop", 1f, ActEase.Out).To(HindDown, 0.35f).To(OnFlank, 1f).To(NeckSide, 0.7f).To(HeadSide, 0.2f).To(TailSide, 0.6f).To(Jaw, 0.3f),
             new ActPhase("settle", 1.6f, ActEase.Out).To(HindDown, 0.25f).To(NeckPitch, -0.2f).To(NeckSide, 0.8f).To(Lids, 0.8f),
             new ActPhase("still", 5f).Lasting(),
@@ -132,7 +132,7 @@ internal static class Postures
             new ActPhase("give way", 1.1f, ActEase.In).To(ForeDown, 0.52f).To(ForeFold, 0.55f).To(HindDown, 0.46f).To(HindFold, 0.4f).To(NeckPitch, 0.2f).To(NeckSide, 0f).To(TailPitch, 0f),
             new ActPhase("drop", 1.2f, ActEase.In).To(ForeDown, 1f).To(HindDown, 1f).To(ForeFold, 1f).To(HindFold, 1f).To(NeckPitch, -0.5f).To(TailPitch, -0.3f),
             new ActPhase("slump", 1.8f, ActEase.Out).To(ForeFeetOut, 0.2f).To(ForeFootAhead, 0.3f).To(HindFeetAhead, -0.4f).To(HindFootAhead, 0.25f).To(NeckPitch, -0.9f).To(NeckSide, 0.8f).To(HeadRoll, 0.6f).To(HeadSide, 0.3f)
-                .To(Roll, -0.2f).To(BackSide, 0.6f).To(BackTwist, -0.35f).To(TailSide, 1f).To(TailPitch, -0.4f).To(Lids, 0.8f).To(Jaw, 0.35f).To(ArmsOut, 0.3f).To(Wings, 0.2f),
+                .To(Roll, -0.2f).To(BackSide, 0.6f).To(BackTwist, -0.35f).To(TailSide, 1f).To(TailPitch, -1.2f).To(Lids, 0.8f).To(Jaw, 0.35f).To(ArmsOut, 0.3f).To(Wings, 0.2f),
             new ActPhase("still", 5f).Lasting(),
             new ActPhase("gather", 2f).To(ForeFeetOut, 0f).To(ForeFootAhead, 0f).To(HindFeetAhead, 0f).To(HindFootAhead, 0f).To(Roll, 0f).To(BackSide, 0f).To(BackTwist, 0f).To(NeckPitch, -0.1f).To(HeadRoll, 0f).To(Wings, 0f),
             new ActPhase("lift", 1.8f).To(ForeDown, 0.5f).To(HindDown, 0.5f).To(ForeFold, 0.4f).To(HindFold, 0.4f).To(NeckSide, 0f).To(HeadSide, 0f).To(TailSide, 0f),
@@ -215,7 +215,7 @@ internal static class Postures
         {
             new ActPhase("look", 1.2f).To(NeckPitch, -0.35f).To(HeadPitch, -0.15f).To(HindDown, 0.12f),
             new ActPhase("squat", 2.2f).To(HindDown, 0.65f).To(HindFold, 0.6f).To(ArmsAhead, 0.3f).To(NeckPitch, -0.1f).To(HeadPitch, 0f),
-            new ActPhase("tip", 2.4f).To(HindDown, 0.5f).To(HindFold, 0.2f).To(ForeFold, 0.55f).To(OnFlank, 0.5f).To(ArmsAhead, 0.1f).To(ArmsOut, -0.5f).To(NeckSide, -0.5f),
+            new ActPhase("tip", 2.4f).To(HindDown, 0.5f).To(HindFold, 0.2f).To(ForeFold, 0.55f).To(OnFlank, 0.5f).To(ArmsAhead, 0.1f).To(ArmsOut, -0.2f).To(NeckSide, -0.5f),
             new ActPhase("side", 2.4f).To(HindDown, 0.4f).To(HindFold, 0f).To(ForeFold, 1f).To(OnFlank, 1f).To(NeckSide, -0.3f),
         };
         phases.AddRange(there);

@@ -1,0 +1,89 @@
+using System;
+using System.Numerics;
+using CreatureGen.Motion;
+using CreatureGen.Motion.Acts.Bodies;
+using CreatureGen.Sampling;
+using Xunit;
+
+namespace CreatureGen.Tests.Motion.Acts;
+
+/// <summary>Acts of what swims. It hung stiff in the water, and slept and flinched without anything that was to be seen.</summary>
+public class SwimmerActTests
+{
+    private const float Rate = 60f;
+
+    [Theory]
+    [InlineData(21200009UL)]
+    [InlineData(21200018UL)]
+    [InlineData(21200005UL, Explicit = true)]
+    public void Who_is_startled_in_water_bends_head_and_tail_to_the_same_side(ulong seed)
+    {
+        CreatureAnimator animator = Performing(seed, "Flinch");
+        float bent = 0f;
+        for (int i = 0; i < 0.5f * Rate; i++)
+        {
+            animator.Update(1f / Rate, default, FlatGround.Level);
+            bent = Math.Max(bent, Bend(animator));
+        }
+
+        Assert.InRange(bent, 0.05f, 0.4f);
+    }
+
+    [Theory]
+    [InlineData(21200009UL)]
+    [InlineData(21200018UL)]
+    [InlineData(21200010UL, Explicit = true)]
+    public void Who_submits_in_water_shows_its_belly(ulong seed)
+    {
+        CreatureAnimator animator = Performing(seed, "Submit");
+        Assert.InRange(UpOf(animator), 0.9f, 1f);
+        Walkers.Run(animator, 0.6f * animator.Profile.Acts.Find("Submit").Seconds, Rate, default, FlatGround.Level);
+        Assert.InRange(UpOf(animator), 0.2f, 0.8f);
+    }
+
+    [Theory]
+    [InlineData(21200009UL)]
+    [InlineData(21200018UL)]
+    [InlineData(21200010UL, Explicit = true)]
+    public void Who_sleeps_in_water_hangs_head_down(ulong seed)
+    {
+        CreatureAnimator animator = Performing(seed, "Sleep");
+        float awake = Slope(animator);
+        Walkers.Run(animator, animator.Profile.Acts.Find("Sleep").SecondsToLast, Rate, default, FlatGround.Level);
+        Assert.InRange(awake - Slope(animator), 0.25f, 1f);
+    }
+
+    /// <summary>How far the middle of the body is beside the line from its head to the tip of its tail, of that line's length at rest.</summary>
+    private static float Bend(CreatureAnimator animator)
+    {
+        ActBody body = animator.Profile.Acts.Body;
+        ReadOnlySpan<Vector3> now = animator.ModelPose.Positions;
+        int tip = body.Tail.Joints[^1];
+        Vector3 ends = now[body.Head] - now[tip];
+        Vector3 aside = Vector3.Cross(Vector3.Normalize(ends), now[body.Tail.Joints[0]] - now[tip]);
+        return Math.Abs(aside.Y) / Vector3.Distance(body.Skeleton.ModelPositions[body.Head], body.Skeleton.ModelPositions[tip]);
+    }
+
+    /// <summary>How far up the back of the trunk is, 1 as it swims.</summary>
+    private static float UpOf(CreatureAnimator animator)
+    {
+        ActBody body = animator.Profile.Acts.Body;
+        return Vector3.Transform(Vector3.UnitY, animator.ModelPose.Rotations[body.Body] * Quaternion.Inverse(body.Skeleton.ModelRotations[body.Body])).Y;
+    }
+
+    /// <summary>How far the head is above the tip of the tail, of the body's length.</summary>
+    private static float Slope(CreatureAnimator animator)
+    {
+        ActBody body = animator.Profile.Acts.Body;
+        return (animator.ModelPose.Positions[body.Head].Y - animator.ModelPose.Positions[body.Tail.Joints[^1]].Y) / body.Size;
+    }
+
+    private static CreatureAnimator Performing(ulong seed, string act)
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Swimming }));
+        var animator = new CreatureAnimator(profile);
+        animator.Teleport(new RootPlace(new Vector3(0f, 10f, 0f), Quaternion.Identity), FlatGround.Level);
+        Assert.Equal(ActStatus.Started, animator.Perform(profile.Acts.Find(act)).Status);
+        return animator;
+    }
+}
