@@ -16,7 +16,7 @@ public class SwimmerActTests
     [InlineData(21200009UL)]
     [InlineData(21200018UL)]
     [InlineData(21200005UL, Explicit = true)]
-    public void Who_is_startled_in_water_bends_head_and_tail_to_the_same_side(ulong seed)
+    public void Who_is_startled_in_water_bends_its_back(ulong seed)
     {
         CreatureAnimator animator = Performing(seed, "Flinch");
         float bent = 0f;
@@ -53,15 +53,15 @@ public class SwimmerActTests
         Assert.InRange(awake - Slope(animator), 0.25f, 1f);
     }
 
-    /// <summary>How far the middle of the body is beside the line from its head to the tip of its tail, of that line's length at rest.</summary>
+    /// <summary>How far the middle of the back is beside the line from its front to its rear, of that line's length at rest.</summary>
     private static float Bend(CreatureAnimator animator)
     {
         ActBody body = animator.Profile.Acts.Body;
         ReadOnlySpan<Vector3> now = animator.ModelPose.Positions;
-        int tip = body.Tail.Joints[^1];
-        Vector3 ends = now[body.Head] - now[tip];
-        Vector3 aside = Vector3.Cross(Vector3.Normalize(ends), now[body.Tail.Joints[0]] - now[tip]);
-        return Math.Abs(aside.Y) / Vector3.Distance(body.Skeleton.ModelPositions[body.Head], body.Skeleton.ModelPositions[tip]);
+        int front = body.Spine[^1];
+        int rear = body.Spine[0];
+        Vector3 aside = Vector3.Cross(Vector3.Normalize(now[front] - now[rear]), now[body.Spine[body.Spine.Length / 2]] - now[rear]);
+        return Math.Abs(aside.Y) / Vector3.Distance(body.Skeleton.ModelPositions[front], body.Skeleton.ModelPositions[rear]);
     }
 
     /// <summary>How far up the back of the trunk is, 1 as it swims.</summary>
@@ -71,11 +71,11 @@ public class SwimmerActTests
         return Vector3.Transform(Vector3.UnitY, animator.ModelPose.Rotations[body.Body] * Quaternion.Inverse(body.Skeleton.ModelRotations[body.Body])).Y;
     }
 
-    /// <summary>How far the head is above the tip of the tail, of the body's length.</summary>
+    /// <summary>How far the head is above the rear of the back, of the body's length.</summary>
     private static float Slope(CreatureAnimator animator)
     {
         ActBody body = animator.Profile.Acts.Body;
-        return (animator.ModelPose.Positions[body.Head].Y - animator.ModelPose.Positions[body.Tail.Joints[^1]].Y) / body.Size;
+        return (animator.ModelPose.Positions[body.Head].Y - animator.ModelPose.Positions[body.Spine[0]].Y) / body.Size;
     }
 
     private static CreatureAnimator Performing(ulong seed, string act)

@@ -76,7 +76,6 @@ internal sealed class ActBody
         TailSkin = Skin.Of(joint => Hangs(joint, Tail.Count > 0 ? Tail.Joints[0] : -1));
         ArmSkins = Array.ConvertAll(Arms, arm => Skin.Of(joint => Hangs(joint, arm.Joints[1])));
         BearingSkin = Skin.Of(joint => !Hangs(joint, Bearers.Length > 0 ? Bearers[0] : -1) && !Hangs(joint, Tail.Count > 0 ? Tail.Joints[0] : -1) && !Array.Exists(Arms, arm => Hangs(joint, arm.Joints[1])));
-        TrunkSkin = Skin.Of(joint => legs != null && Array.IndexOf(legs.Trunk, joint) >= 0);
         ShoulderSkin = BonePoints.EveryOf(subject, joint => Array.Exists(Arms, arm => joint == arm.Joints[1]));
         NeckSkin = Skin.Of(joint => joint != Head && Array.IndexOf(Bearers, joint) >= 0);
         FeetFromMiddle = legs == null ? Array.Empty<float>() : Array.ConvertAll(legs.Legs, leg => Skin.Of(joint => Hangs(joint, leg.Ankle)).FromMiddle(Skeleton, leg.Side));
@@ -191,9 +190,6 @@ internal sealed class ActBody
 
     /// <summary>The same of trunk and legs: what a body lies on.</summary>
     public BonePoints BearingSkin { get; }
-
-    /// <summary>The same of the trunk alone; none without legs.</summary>
-    public BonePoints TrunkSkin { get; }
 
     /// <summary>The same of the shoulders of arms: a body on its flank lies on one, too.</summary>
     public BonePoints ShoulderSkin { get; }
@@ -336,7 +332,7 @@ internal sealed class ActBody
     private int[] TailOf()
     {
         int[] tail = Joints(JointRole.Tail);
-        return Build == BodyBuild.Legless ? Array.Empty<int>() : Legs is { HasAbdomen: true } ? tail.Skip((int)Math.Ceiling(StiffFraction * tail.Length)).ToArray() : tail;
+        return Build is BodyBuild.Legless or BodyBuild.Swimming ? Array.Empty<int>() : Legs is { HasAbdomen: true } ? tail.Skip((int)Math.Ceiling(StiffFraction * tail.Length)).ToArray() : tail;
     }
 
     private float SizeOf()

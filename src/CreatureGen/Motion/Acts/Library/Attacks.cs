@@ -18,11 +18,11 @@ internal static class Attacks
             new ActPhase("recover", 2.4f).To(Reach, 0f).To(Jaw, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(Ears, 0f))
             .Needing(ActNeeds.Jaw).With(ActTool.Mouth, 0.1f).For(BodyBuild.Legless),
         new Act("Bite", ActKind.Strike,
-            new ActPhase("draw", 1.8f).To(Ahead, -0.7f).To(BackSide, 0.35f).To(TailSide, -0.7f).To(NeckPitch, 0.2f).To(NeckSide, -0.2f).To(Jaw, 0.25f).To(Wings, 0.6f).AtLeast(Seen).Then(ActMark.Commit),
-            new ActPhase("strike", 0.8f, ActEase.In).To(Ahead, 0f).To(BackSide, -0.2f).To(TailSide, 0.6f).To(NeckPitch, 0f).To(NeckSide, 0.1f).To(Jaw, 1f).To(Reach, 0.85f).To(Wings, -0.6f),
+            new ActPhase("draw", 1.8f).To(Ahead, -0.7f).To(BackSide, 0.35f).To(NeckPitch, 0.2f).To(NeckSide, -0.2f).To(Jaw, 0.25f).To(Wings, 0.6f).AtLeast(Seen).Then(ActMark.Commit),
+            new ActPhase("strike", 0.8f, ActEase.In).To(Ahead, 0f).To(BackSide, -0.2f).To(NeckPitch, 0f).To(NeckSide, 0.1f).To(Jaw, 1f).To(Reach, 0.85f).To(Wings, -0.6f),
             new ActPhase("shut", 0.25f, ActEase.Out).To(Jaw, 0f).To(Reach, 1f).Then(ActMark.Contact),
-            new ActPhase("wrench", 2.4f).With(new ActWave(BackSide, 0.4f, 2f)).With(new ActWave(TailSide, 0.7f, 2f, 0.3f)).With(new ActWave(Roll, 0.35f, 2f, 0.2f)).With(new ActWave(HeadRoll, 0.2f, 2f)),
-            new ActPhase("recover", 3f).To(Reach, 0f).To(BackSide, 0f).To(TailSide, 0f).To(NeckSide, 0f).To(Wings, 0f))
+            new ActPhase("wrench", 2.4f).With(new ActWave(BackSide, 0.4f, 2f)).With(new ActWave(Roll, 0.35f, 2f, 0.2f)).With(new ActWave(HeadRoll, 0.2f, 2f)),
+            new ActPhase("recover", 3f).To(Reach, 0f).To(BackSide, 0f).To(NeckSide, 0f).To(Wings, 0f))
             .Needing(ActNeeds.Jaw).With(ActTool.Mouth).For(BodyBuild.Swimming),
         new Act("Bite", ActKind.Strike,
             new ActPhase("draw", 3f).To(Ahead, -0.8f).To(Up, 0.8f).To(Pitch, 0.2f).To(NeckPitch, 0.5f).To(HeadPitch, -0.4f).To(Jaw, 0.25f).To(TailPitch, -0.3f).To(Wings, 0.35f).AtLeast(Seen).Then(ActMark.Commit),

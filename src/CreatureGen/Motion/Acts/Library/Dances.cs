@@ -16,7 +16,7 @@ internal static class Dances
     public static readonly Act OfOthers = new Act("Dance", ActKind.Display,
         new ActPhase("rise", 2f).To(NeckPitch, 0.9f).To(HeadPitch, -0.6f).To(Wings, 0.5f),
         new ActPhase("sway", 14f)
-            .With(new ActWave(NeckSide, 0.5f, 4f)).With(new ActWave(HeadSide, 0.3f, 4f, 0.2f)).With(new ActWave(BackSide, 0.4f, 4f)).With(new ActWave(TailSide, 0.7f, 4f, 0.3f)).With(new ActWave(Roll, 0.35f, 4f, 0.15f))
+            .With(new ActWave(NeckSide, 0.5f, 4f)).With(new ActWave(HeadSide, 0.3f, 4f, 0.2f)).With(new ActWave(BackSide, 0.4f, 4f)).With(new ActWave(Roll, 0.35f, 4f, 0.15f))
             .With(new ActWave(Pitch, 0.2f, 8f)).With(new ActWave(Wings, 0.4f, 8f)).With(new ActWave(NeckPitch, 0.15f, 8f, 0.25f)),
         new ActPhase("sink", 2f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(Wings, 0f)).For(BodyBuild.Swimming);
 

@@ -21,9 +21,9 @@ internal static class Flinches
 
     /// <summary>In water a body bends into a C, head and tail away from what startled it, is back with a stroke of the tail, and hangs there with its fins spread.</summary>
     public static readonly Act OfSwimmers = Of(
-        new ActPhase("bend", 0.6f, ActEase.Out).To(Yaw, -0.35f).To(Roll, 0.25f).To(Ahead, -0.3f).To(BackSide, -0.8f).To(NeckSide, -0.5f).To(HeadSide, -0.2f).To(TailSide, -0.9f).To(Jaw, 0.4f).To(Lids, 1f).To(Ears, 1f).To(Wings, 0.9f),
-        new ActPhase("stroke", 0.7f, ActEase.Out).To(Yaw, -0.15f).To(Ahead, -1f).To(BackSide, 0.35f).To(TailSide, 0.8f).To(NeckSide, 0.1f).To(Jaw, 0.1f),
-        new ActPhase("freeze", 2.4f).To(Roll, 0.1f).To(BackSide, -0.12f).To(TailSide, -0.2f).To(NeckSide, -0.2f).To(Lids, -0.2f).To(Wings, 0.7f).With(new ActWave(TailSide, 0.12f, 3f)).With(new ActWave(Wings, 0.15f, 6f)))
+        new ActPhase("bend", 0.6f, ActEase.Out).To(Yaw, -0.35f).To(Roll, 0.25f).To(Ahead, -0.3f).To(BackSide, -0.8f).To(NeckSide, -0.5f).To(HeadSide, -0.2f).To(Jaw, 0.4f).To(Lids, 1f).To(Ears, 1f).To(Wings, 0.9f),
+        new ActPhase("stroke", 0.7f, ActEase.Out).To(Yaw, -0.15f).To(Ahead, -1f).To(BackSide, 0.35f).To(NeckSide, 0.1f).To(Jaw, 0.1f),
+        new ActPhase("freeze", 2.4f).To(Roll, 0.1f).To(BackSide, -0.12f).To(NeckSide, -0.2f).To(Lids, -0.2f).To(Wings, 0.7f).With(new ActWave(Wings, 0.15f, 6f)))
         .For(BodyBuild.Swimming);
 
     /// <summary>On the wing a body starts up and back, banks away, its abdomen under it, and hovers there.</summary>

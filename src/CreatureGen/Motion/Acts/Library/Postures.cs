@@ -37,7 +37,7 @@ internal static class Postures
     // Of an upright body, on its side.
     private static readonly ActPhase[] sleepOnSide =
     {
-        new ActPhase("nod", 3f).To(NeckPitch, -0.5f).To(NeckSide, 0.8f).To(HeadSide, 0.2f).To(TailSide, 0.5f).To(Lids, 1f).To(Ears, 0.35f),
+        new ActPhase("nod", 3.5f).To(NeckPitch, -0.4f).To(NeckSide, 0.7f).To(HeadSide, 0.2f).To(TailSide, 0.5f).To(Lids, 1f).To(Ears, 0.35f),
         new ActPhase("sleep", 14f).Lasting().With(new ActWave(BackPitch, 0.012f, 2.5f)),
         new ActPhase("wake", 1.6f).To(Lids, 0.2f).To(NeckSide, 0.1f).To(NeckPitch, 0.1f).To(Ears, -0.3f),
     };
@@ -75,21 +75,26 @@ internal static class Postures
             new ActPhase("wake", 2.4f).To(ForeDown, 0f).To(NeckSide, 0f).To(Lids, 0f))
             .Needing(ActNeeds.Head).For(BodyBuild.Legless),
         new Act("Sleep", ActKind.Posture,
-            new ActPhase("sink", 5f).To(Up, -0.4f).To(Pitch, -0.3f).To(Roll, 0.3f).To(BackPitch, -0.2f).To(BackSide, 0.12f).To(NeckPitch, -0.35f).To(HeadPitch, -0.15f).To(TailPitch, -0.35f).To(TailSide, 0.35f).To(Wings, -0.7f).To(Lids, 1f),
-            new ActPhase("sleep", 14f).Lasting().With(new ActWave(Up, 0.12f, 2f)).With(new ActWave(Roll, 0.1f, 1f)).With(new ActWave(Pitch, 0.04f, 2f, 0.2f)).With(new ActWave(TailSide, 0.15f, 1f, 0.3f)).With(new ActWave(Wings, 0.1f, 2f, 0.3f)),
-            new ActPhase("stretch", 2.4f).To(Up, 0f).To(Pitch, 0.1f).To(Roll, 0f).To(BackPitch, 0.15f).To(BackSide, -0.15f).To(NeckPitch, 0.1f).To(HeadPitch, 0f).To(TailPitch, 0.1f).To(TailSide, -0.4f).To(Wings, 0.5f).To(Lids, 0f),
-            new ActPhase("level", 2.4f).To(Pitch, 0f).To(BackPitch, 0f).To(BackSide, 0f).To(NeckPitch, 0f).To(TailPitch, 0f).To(TailSide, 0f).To(Wings, 0f))
+            new ActPhase("sink", 5f).To(Up, -0.4f).To(Pitch, -0.3f).To(Roll, 0.3f).To(BackPitch, -0.2f).To(BackSide, 0.12f).To(NeckPitch, -0.35f).To(HeadPitch, -0.15f).To(Wings, -0.7f).To(Lids, 1f),
+            new ActPhase("sleep", 14f).Lasting().With(new ActWave(Up, 0.12f, 2f)).With(new ActWave(Roll, 0.1f, 1f)).With(new ActWave(Pitch, 0.04f, 2f, 0.2f)).With(new ActWave(Wings, 0.1f, 2f, 0.3f)),
+            new ActPhase("stretch", 2.4f).To(Up, 0f).To(Pitch, 0.1f).To(Roll, 0f).To(BackPitch, 0.15f).To(BackSide, -0.15f).To(NeckPitch, 0.1f).To(HeadPitch, 0f).To(Wings, 0.5f).To(Lids, 0f),
+            new ActPhase("level", 2.4f).To(Pitch, 0f).To(BackPitch, 0f).To(BackSide, 0f).To(NeckPitch, 0f).To(Wings, 0f))
             .For(BodyBuild.Swimming),
         new Act("Sleep", ActKind.Posture,
             new ActPhase("nod", 5f).To(Up, -0.5f).To(Pitch, 0.2f).To(BackPitch, -0.25f).To(NeckPitch, -0.8f).To(NeckSide, 0.2f).To(HeadPitch, -0.4f).To(TailPitch, -0.6f).To(Lids, 1f).To(Ears, 0.4f),
             new ActPhase("sleep", 14f).Lasting().With(new ActWave(Up, 0.25f, 1.5f)).With(new ActWave(Roll, 0.12f, 1f)).With(new ActWave(Pitch, 0.06f, 1.5f, 0.2f)).With(new ActWave(TailPitch, 0.12f, 1.5f, 0.4f)),
-            new ActPhase("wake", 3f).To(Up, 0f).To(Pitch, 0f).To(BackPitch, 0f).To(NeckPitch, 0f).To(NeckSide, 0f).To(HeadPitch, 0f).To(TailPitch, 0f).To(Lids, 0f).To(Ears, 0f)),
+            new ActPhase("wake", 3f).To(Up, 0f).To(Pitch, 0f).To(BackPitch, 0f).To(NeckPitch, 0f).To(NeckSide, 0f).To(HeadPitch, 0f).To(TailPitch, 0f).To(Lids, 0f).To(Ears, 0f))
+            .For(BodyBuild.Airborne),
+        new Act("Sleep", ActKind.Posture,
+            new ActPhase("nod", 4f).To(Lids, 1f).To(NeckPitch, -0.1f).To(Wings, -0.2f),
+            new ActPhase("sleep", 14f).Lasting().With(new ActWave(Up, 0.02f, 2.5f)).With(new ActWave(Roll, 0.03f, 1f)),
+            new ActPhase("wake", 2.4f).To(Lids, 0f).To(NeckPitch, 0f).To(Wings, 0f)),
         new Act("Die", ActKind.Posture, [
             new ActPhase("reel", 1.6f).To(Aside, 0.06f).To(Roll, -0.06f).To(NeckPitch, 0.3f).To(NeckSide, -0.3f).To(Lids, 0.5f).To(Jaw, 0.4f).To(Ears, 0.8f).To(ArmsOut, 0.4f),
             new ActPhase("buckle", 1.4f, ActEase.In).To(HindDown, 0.6f).To(HindFold, 0.4f).To(Aside, 0f).To(NeckPitch, -0.2f).To(ArmsAhead, 0.3f).To(ArmsOut, 0.1f),
-            new ActPhase("topple", 1.8f, ActEase.In).To(HindDown, 0.5f).To(HindFold, 0f).To(ForeFold, 1f).To(OnFlank, 0.8f).To(NeckPitch, 0.1f).To(NeckSide, -0.5f).To(Roll, 0f).To(ArmsAhead, 0.1f).To(ArmsOut, -0.2f),
-            new ActPhase("drop", 1f, ActEase.Out).To(HindDown, 0.35f).To(OnFlank, 1f).To(NeckSide, 0.7f).To(HeadSide, 0.2f).To(TailSide, 0.6f).To(Jaw, 0.3f),
-            new ActPhase("settle", 1.6f, ActEase.Out).To(HindDown, 0.25f).To(NeckPitch, -0.2f).To(NeckSide, 0.8f).To(Lids, 0.8f),
+            new ActPhase("topple", 1.8f, ActEase.In).To(HindDown, 0.5f).To(HindFold, 0f).To(ForeFold, 1f).To(OnFlank, 0.8f).To(NeckPitch, 0.1f).To(NeckSide, -0.5f).To(Roll, 0f).To(ArmsAhead, 0.1f).To(ArmsOut, -0.45f).To(ArmOut, 0.25f),
+            new ActPhase("drop", 1f, ActEase.Out).To(HindDown, 0.35f).To(OnFlank, 1f).To(NeckSide, -0.1f).To(TailSide, 0.6f).To(Jaw, 0.3f),
+            new ActPhase("settle", 2.4f).To(HindDown, 0.25f).To(NeckPitch, -0.2f).To(NeckSide, 0.7f).To(HeadSide, 0.2f).To(Lids, 0.8f),
             new ActPhase("still", 5f).Lasting(),
             .. GettingUpSideways()])
             .Needing(ActNeeds.Legs | ActNeeds.Flanks).For(BodyBuild.Upright).OnTheSpot(),
@@ -132,9 +137,9 @@ internal static class Postures
             new ActPhase("give way", 1.1f, ActEase.In).To(ForeDown, 0.52f).To(ForeFold, 0.55f).To(HindDown, 0.46f).To(HindFold, 0.4f).To(NeckPitch, 0.2f).To(NeckSide, 0f).To(TailPitch, 0f),
             new ActPhase("drop", 1.2f, ActEase.In).To(ForeDown, 1f).To(HindDown, 1f).To(ForeFold, 1f).To(HindFold, 1f).To(NeckPitch, -0.5f).To(TailPitch, -0.3f),
             new ActPhase("slump", 1.8f, ActEase.Out).To(ForeFeetOut, 0.2f).To(ForeFootAhead, 0.3f).To(HindFeetAhead, -0.4f).To(HindFootAhead, 0.25f).To(NeckPitch, -0.9f).To(NeckSide, 0.8f).To(HeadRoll, 0.6f).To(HeadSide, 0.3f)
-                .To(Roll, -0.2f).To(BackSide, 0.6f).To(BackTwist, -0.35f).To(TailSide, 1f).To(TailPitch, -1.2f).To(Lids, 0.8f).To(Jaw, 0.35f).To(ArmsOut, 0.3f).To(Wings, 0.2f),
+                .To(BackSide, 0.6f).To(BackTwist, -0.35f).To(TailSide, 1f).To(TailPitch, -1.2f).To(Lids, 0.8f).To(Jaw, 0.35f).To(ArmsOut, 0.3f).To(Wings, 0.2f),
             new ActPhase("still", 5f).Lasting(),
-            new ActPhase("gather", 2f).To(ForeFeetOut, 0f).To(ForeFootAhead, 0f).To(HindFeetAhead, 0f).To(HindFootAhead, 0f).To(Roll, 0f).To(BackSide, 0f).To(BackTwist, 0f).To(NeckPitch, -0.1f).To(HeadRoll, 0f).To(Wings, 0f),
+            new ActPhase("gather", 2f).To(ForeFeetOut, 0f).To(ForeFootAhead, 0f).To(HindFeetAhead, 0f).To(HindFootAhead, 0f).To(BackSide, 0f).To(BackTwist, 0f).To(NeckPitch, -0.1f).To(HeadRoll, 0f).To(Wings, 0f),
             new ActPhase("lift", 1.8f).To(ForeDown, 0.5f).To(HindDown, 0.5f).To(ForeFold, 0.4f).To(HindFold, 0.4f).To(NeckSide, 0f).To(HeadSide, 0f).To(TailSide, 0f),
             new ActPhase("rise", 2.2f).To(ForeDown, 0f).To(HindDown, 0f).To(ForeFold, 0f).To(HindFold, 0f).To(NeckPitch, 0f).To(Lids, 0f).To(Jaw, 0f).To(Ears, 0f).To(TailPitch, 0f).To(ArmsOut, 0f))
             .Needing(ActNeeds.FourLegs).For(BodyBuild.Sprawling | BodyBuild.ManyLegged).OnTheSpot(),
@@ -198,12 +203,12 @@ internal static class Postures
         {
             new ActPhase("look", 1.2f).To(NeckPitch, -0.35f).To(HeadPitch, -0.15f).To(HindDown, 0.12f),
             new ActPhase("squat", 2.2f).To(HindDown, Squat.HindDown).To(HindFold, 0.6f).To(ArmsAhead, 0.5f).To(NeckPitch, -0.1f).To(HeadPitch, 0f),
-            new ActPhase("hands", 2.2f).To(HindDown, 0.7f).To(HindFold, 0.3f).To(ForeFold, 0.5f).To(ArmsAhead, 1.1f).To(NeckPitch, 0.3f),
+            new ActPhase("hands", 2.2f).To(HindDown, 0.9f).To(HindFold, 0.3f).To(ForeFold, 0.45f).To(ArmsAhead, 1.1f).To(NeckPitch, 0.3f),
             new ActPhase("sink", 2.6f).To(HindDown, 1f).To(HindFold, 0f).To(ForeFold, 1f).To(ArmsAhead, 1.3f).To(ArmsBend, 0.4f).To(NeckPitch, 0.6f).To(TailPitch, -0.8f),
         };
         phases.AddRange(there);
-        phases.Add(new ActPhase("push", 2.4f).To(HindDown, 0.7f).To(HindFold, 0.3f).To(ForeFold, 0.5f).To(ArmsBend, 0f).To(ArmsAhead, 0.9f).To(NeckPitch, 0.3f).To(Lids, 0f).To(TailPitch, 0f));
-        phases.Add(new ActPhase("gather", 2.2f).To(HindDown, 0.55f).To(HindFold, 0.6f).To(ForeFold, 0f).To(ArmsAhead, 0.3f).To(NeckPitch, -0.1f).To(TailSide, 0f));
+        phases.Add(new ActPhase("push", 2.4f).To(HindDown, 0.85f).To(HindFold, 0.3f).To(ForeFold, 0.45f).To(ArmsBend, 0f).To(ArmsAhead, 0.9f).To(NeckPitch, 0.3f).To(Lids, 0f).To(TailPitch, 0f));
+        phases.Add(new ActPhase("gather", 2.2f).To(HindDown, 0.6f).To(HindFold, 0.6f).To(ForeFold, 0f).To(ArmsAhead, 0.3f).To(NeckPitch, -0.1f).To(TailSide, 0f));
         phases.Add(new ActPhase("stand", 2.2f).To(HindDown, 0f).To(HindFold, 0f).To(ArmsAhead, 0f).To(NeckPitch, 0f).To(Ears, 0f));
         return phases.ToArray();
     }
@@ -215,7 +220,7 @@ internal static class Postures
         {
             new ActPhase("look", 1.2f).To(NeckPitch, -0.35f).To(HeadPitch, -0.15f).To(HindDown, 0.12f),
             new ActPhase("squat", 2.2f).To(HindDown, 0.65f).To(HindFold, 0.6f).To(ArmsAhead, 0.3f).To(NeckPitch, -0.1f).To(HeadPitch, 0f),
-            new ActPhase("tip", 2.4f).To(HindDown, 0.5f).To(HindFold, 0.2f).To(ForeFold, 0.55f).To(OnFlank, 0.5f).To(ArmsAhead, 0.1f).To(ArmsOut, -0.2f).To(NeckSide, -0.5f),
+            new ActPhase("tip", 2.4f).To(HindDown, 0.5f).To(HindFold, 0.2f).To(ForeFold, 0.55f).To(OnFlank, 0.5f).To(ArmsAhead, 0.1f).To(ArmsOut, -0.45f).To(ArmOut, 0.25f).To(NeckSide, -0.5f),
             new ActPhase("side", 2.4f).To(HindDown, 0.4f).To(HindFold, 0f).To(ForeFold, 1f).To(OnFlank, 1f).To(NeckSide, -0.3f),
         };
         phases.AddRange(there);
@@ -226,7 +231,7 @@ internal static class Postures
     private static ActPhase[] GettingUpSideways() => new[]
     {
         new ActPhase("tip back", 2.8f).To(HindDown, 0.5f).To(HindFold, 0.2f).To(ForeFold, 0.55f).To(OnFlank, 0.5f).To(NeckPitch, 0.1f).To(NeckSide, -0.5f).To(HeadSide, 0f).To(TailSide, 0f).To(Lids, 0f).To(Jaw, 0f),
-        new ActPhase("gather", 2.4f).To(OnFlank, 0f).To(HindDown, 0.65f).To(HindFold, 0.6f).To(ForeFold, 0f).To(ArmsAhead, 0.3f).To(ArmsOut, 0f).To(NeckPitch, -0.1f).To(NeckSide, 0f),
+        new ActPhase("gather", 2.4f).To(OnFlank, 0f).To(HindDown, 0.65f).To(HindFold, 0.6f).To(ForeFold, 0f).To(ArmsAhead, 0.3f).To(ArmsOut, 0f).To(ArmOut, 0f).To(NeckPitch, -0.1f).To(NeckSide, 0f),
         new ActPhase("stand", 2.2f).To(HindDown, 0f).To(HindFold, 0f).To(ArmsAhead, 0f).To(NeckPitch, 0f).To(Ears, 0f),
     };
 

@@ -22,10 +22,10 @@ internal static class Upkeep
             new ActPhase("down", 3f).To(Reach, 0f).To(Jaw, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f))
             .Needing(ActNeeds.Jaw).With(ActTool.Mouth, 0.2f).For(BodyBuild.Legless),
         new Act("Eat", ActKind.Upkeep,
-            new ActPhase("stoop", 3f).To(Pitch, -0.4f).To(BackPitch, -0.12f).To(TailPitch, 0.3f).To(Jaw, 0.7f).To(Reach, 0.9f).To(Wings, 0.4f),
+            new ActPhase("stoop", 3f).To(Pitch, -0.4f).To(BackPitch, -0.12f).To(Jaw, 0.7f).To(Reach, 0.9f).To(Wings, 0.4f),
             new ActPhase("snap", 0.5f).To(Jaw, 0f).To(Reach, 1f).Then(ActMark.Contact),
-            new ActPhase("tear", 1.6f).To(Reach, 0.8f).With(new ActWave(HeadSide, 0.25f, 2f)).With(new ActWave(BackSide, 0.25f, 2f, 0.15f)).With(new ActWave(TailSide, 0.5f, 2f, 0.4f)),
-            new ActPhase("chew", 5f).To(Pitch, -0.1f).To(BackPitch, 0f).To(TailPitch, 0f).To(Reach, 0.3f).To(Wings, 0.1f).With(new ActWave(Jaw, 0.4f, 4f, 0.25f)).With(new ActWave(HeadPitch, 0.06f, 4f)),
+            new ActPhase("tear", 1.6f).To(Reach, 0.8f).With(new ActWave(HeadSide, 0.25f, 2f)).With(new ActWave(BackSide, 0.25f, 2f, 0.15f)),
+            new ActPhase("chew", 5f).To(Pitch, -0.1f).To(BackPitch, 0f).To(Reach, 0.3f).To(Wings, 0.1f).With(new ActWave(Jaw, 0.4f, 4f, 0.25f)).With(new ActWave(HeadPitch, 0.06f, 4f)),
             new ActPhase("level", 2.4f).To(Pitch, 0f).To(Reach, 0f).To(Wings, 0f))
             .Needing(ActNeeds.Jaw).With(ActTool.Mouth).For(BodyBuild.Swimming),
         new Act("Eat", ActKind.Upkeep,

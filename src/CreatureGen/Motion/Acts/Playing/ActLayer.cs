@@ -89,8 +89,8 @@ internal sealed class ActLayer
 
         // Folded legs let the chest down to the ground by itself, be it higher than the belly or not.
         float chest = Scalar.Lerp(belly, body.ChestHeight, Scalar.Clamp(values[(int)ActChannel.ForeFold], 0f, 1f));
-        Trunk.ForeDown = body.Legs.IsBiped ? hind * (belly + (stretched * folded.Sag)) : fore * chest;
-        Trunk.HindDown = hind * (belly + (stretched * folded.Sag));
+        Trunk.ForeDown = body.Legs.IsBiped ? hind * belly : fore * chest;
+        Trunk.HindDown = hind * belly;
         Trunk.BackPitch = values[(int)ActChannel.BackPitch];
         Trunk.BackSide = side * values[(int)ActChannel.BackSide];
         Trunk.BackTwist = side * values[(int)ActChannel.BackTwist];

@@ -29,9 +29,6 @@ internal sealed class FoldedLegs
     /// <summary>How far a trunk tips over ahead until it is level, radians: an upright one onto its chest, another as it rolls over onto its back.</summary>
     public float Tip { get; set; }
 
-    /// <summary>How much farther than its hips stand high an upright trunk comes down on its chest, metres: level it is deeper or flatter than upright.</summary>
-    public float Sag { get; set; }
-
     /// <summary>Whether they have been found: a body without feet that stand is brought to the ground from then on.</summary>
     public bool IsFound { get; private set; }
 
@@ -45,7 +42,6 @@ internal sealed class FoldedLegs
                 Folded.Take(found.Folded);
                 Stretched.Take(found.Stretched);
                 Tip = found.Tip;
-                Sag = found.Sag;
                 Flank = found.Flank;
                 IsFound = true;
             }

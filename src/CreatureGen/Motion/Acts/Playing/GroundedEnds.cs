@@ -209,8 +209,7 @@ internal sealed class GroundedEnds
 
         for (int round = 0; round < ClearingRounds && lying > 0f; round++)
         {
-            // All that the swing has left: next to nothing where the body is hardly over.
-            float raise = Math.Min(skin.Raise(ground, model.Positions[shoulder], model), MaxCleared);
+            float raise = lying * Math.Min(skin.Raise(ground, model.Positions[shoulder], model), MaxCleared);
             Turn(shoulder, AxisRotation.Roll(over > 0f ? raise : -raise), local, model);
         }
     }

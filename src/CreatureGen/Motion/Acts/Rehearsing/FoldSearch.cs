@@ -120,8 +120,6 @@ internal static class FoldSearch
         legs.Tip = Elevation(body, stage) - Propped;
         values[(int)ActChannel.HindDown] = 1f;
         values[(int)ActChannel.ForeFold] = 1f;
-        stage.Show(values);
-        legs.Sag = body.TrunkSkin.Lowest(stage.Model);
         return Pairs(body, stage, legs.Stretched, (stretchedBeginnings, stretchedMin), values);
     }
 
