@@ -7,7 +7,7 @@ using Xunit;
 
 namespace CreatureGen.Tests.Motion.Acts;
 
-/// <summary>Acts of what swims. It hung stiff in the water, and slept and flinched without anything that was to be seen.</summary>
+/// <summary>Acts of what swims. It hung stiff in the water, and flinched without anything that was to be seen.</summary>
 public class SwimmerActTests
 {
     private const float Rate = 60f;
@@ -41,18 +41,6 @@ public class SwimmerActTests
         Assert.InRange(UpOf(animator), 0.2f, 0.8f);
     }
 
-    [Theory]
-    [InlineData(21200009UL)]
-    [InlineData(21200018UL)]
-    [InlineData(21200010UL, Explicit = true)]
-    public void Who_sleeps_in_water_hangs_head_down(ulong seed)
-    {
-        CreatureAnimator animator = Performing(seed, "Sleep");
-        float awake = Slope(animator);
-        Walkers.Run(animator, animator.Profile.Acts.Find("Sleep").SecondsToLast, Rate, default, FlatGround.Level);
-        Assert.InRange(awake - Slope(animator), 0.25f, 1f);
-    }
-
     /// <summary>How far the middle of the back is beside the line from its front to its rear, of that line's length at rest.</summary>
     private static float Bend(CreatureAnimator animator)
     {
@@ -69,13 +57,6 @@ public class SwimmerActTests
     {
         ActBody body = animator.Profile.Acts.Body;
         return Vector3.Transform(Vector3.UnitY, animator.ModelPose.Rotations[body.Body] * Quaternion.Inverse(body.Skeleton.ModelRotations[body.Body])).Y;
-    }
-
-    /// <summary>How far the head is above the rear of the back, of the body's length.</summary>
-    private static float Slope(CreatureAnimator animator)
-    {
-        ActBody body = animator.Profile.Acts.Body;
-        return (animator.ModelPose.Positions[body.Head].Y - animator.ModelPose.Positions[body.Spine[0]].Y) / body.Size;
     }
 
     private static CreatureAnimator Performing(ulong seed, string act)
