@@ -7,7 +7,7 @@ using Xunit;
 
 namespace CreatureGen.Tests.Motion.Acts;
 
-/// <summary>Acts of what swims. It hung stiff in the water, and flinched without anything that was to be seen.</summary>
+/// <summary>Acts of what swims. It hung stiff in the water, and slept and flinched without anything that was to be seen.</summary>
 public class SwimmerActTests
 {
     private const float Rate = 60f;
@@ -41,13 +41,25 @@ public class SwimmerActTests
         Assert.InRange(UpOf(animator), 0.2f, 0.8f);
     }
 
+    [Theory]
+    [InlineData(21200009UL)]
+    [InlineData(21200018UL)]
+    [InlineData(21200010UL, Explicit = true)]
+    public void Who_sleeps_in_water_hangs_head_down(ulong seed)
+    {
+        CreatureAnimator animator = Performing(seed, "Sleep");
+        float awake = Slope(animator);
+        Walkers.Run(animator, animator.Profile.Acts.Find("Sleep").SecondsToLast, Rate, default, FlatGround.Level);
+        Assert.InRange(awake - Slope(animator), 0.15f, 1f);
+    }
+
     /// <summary>How far the middle of the back is beside the line from its front to its rear, of that line's length at rest.</summary>
     private static float Bend(CreatureAnimator animator)
     {
         ActBody body = animator.Profile.Acts.Body;
         ReadOnlySpan<Vector3> now = animator.ModelPose.Positions;
-        int front = body.Spine[^1];
-        int rear = body.Spine[0];
+        int front = body.Spine[0];
+        int rear = body.Spine[^1];
         Vector3 aside = Vector3.Cross(Vector3.Normalize(now[front] - now[rear]), now[body.Spine[body.Spine.Length / 2]] - now[rear]);
         return Math.Abs(aside.Y) / Vector3.Distance(body.Skeleton.ModelPositions[front], body.Skeleton.ModelPositions[rear]);
     }
@@ -57,6 +69,13 @@ public class SwimmerActTests
     {
         ActBody body = animator.Profile.Acts.Body;
         return Vector3.Transform(Vector3.UnitY, animator.ModelPose.Rotations[body.Body] * Quaternion.Inverse(body.Skeleton.ModelRotations[body.Body])).Y;
+    }
+
+    /// <summary>How far the front of the back is above its rear, of the body's length.</summary>
+    private static float Slope(CreatureAnimator animator)
+    {
+        ActBody body = animator.Profile.Acts.Body;
+        return (animator.ModelPose.Positions[body.Spine[0]].Y - animator.ModelPose.Positions[body.Spine[^1]].Y) / body.Size;
     }
 
     private static CreatureAnimator Performing(ulong seed, string act)
