@@ -137,9 +137,9 @@ internal static class Postures
             new ActPhase("give way", 1.1f, ActEase.In).To(ForeDown, 0.52f).To(ForeFold, 0.55f).To(HindDown, 0.46f).To(HindFold, 0.4f).To(NeckPitch, 0.2f).To(NeckSide, 0f).To(TailPitch, 0f),
             new ActPhase("drop", 1.2f, ActEase.In).To(ForeDown, 1f).To(HindDown, 1f).To(ForeFold, 1f).To(HindFold, 1f).To(NeckPitch, -0.5f).To(TailPitch, -0.3f),
             new ActPhase("slump", 1.8f, ActEase.Out).To(ForeFeetOut, 0.2f).To(ForeFootAhead, 0.3f).To(HindFeetAhead, -0.4f).To(HindFootAhead, 0.25f).To(NeckPitch, -0.9f).To(NeckSide, 0.8f).To(HeadRoll, 0.6f).To(HeadSide, 0.3f)
-                .To(BackSide, 0.6f).To(BackTwist, -0.35f).To(TailSide, 1f).To(TailPitch, -1.2f).To(Lids, 0.8f).To(Jaw, 0.35f).To(ArmsOut, 0.3f).To(Wings, 0.2f),
+                .To(BackSide, 0.35f).To(TailSide, 1f).To(TailPitch, -1.2f).To(Lids, 0.8f).To(Jaw, 0.35f).To(ArmsOut, 0.3f).To(Wings, 0.2f),
             new ActPhase("still", 5f).Lasting(),
-            new ActPhase("gather", 2f).To(ForeFeetOut, 0f).To(ForeFootAhead, 0f).To(HindFeetAhead, 0f).To(HindFootAhead, 0f).To(BackSide, 0f).To(BackTwist, 0f).To(NeckPitch, -0.1f).To(HeadRoll, 0f).To(Wings, 0f),
+            new ActPhase("gather", 2f).To(ForeFeetOut, 0f).To(ForeFootAhead, 0f).To(HindFeetAhead, 0f).To(HindFootAhead, 0f).To(BackSide, 0f).To(NeckPitch, -0.1f).To(HeadRoll, 0f).To(Wings, 0f),
             new ActPhase("lift", 1.8f).To(ForeDown, 0.5f).To(HindDown, 0.5f).To(ForeFold, 0.4f).To(HindFold, 0.4f).To(NeckSide, 0f).To(HeadSide, 0f).To(TailSide, 0f),
             new ActPhase("rise", 2.2f).To(ForeDown, 0f).To(HindDown, 0f).To(ForeFold, 0f).To(HindFold, 0f).To(NeckPitch, 0f).To(Lids, 0f).To(Jaw, 0f).To(Ears, 0f).To(TailPitch, 0f).To(ArmsOut, 0f))
             .Needing(ActNeeds.FourLegs).For(BodyBuild.Sprawling | BodyBuild.ManyLegged).OnTheSpot(),
