@@ -50,6 +50,10 @@ internal static class WingSampler
     /// <summary>Least rise of a wing of feathers; membranes are deep enough to be seen from the side.</summary>
     private const double LeastOfFeathers = 0.54;
 
+    /// <summary>By how much wings of mixed bodies are shorter and longer than their form has them: they are most of an outline, and all alike make doubles.</summary>
+    private const double ShortestOfForm = -0.14;
+    private const double LongestOfForm = 0.1;
+
     /// <summary>Degrees; thin wings that point farther back lie along the body.</summary>
     private const double FoldedAzimuth = -60;
 
@@ -130,6 +134,7 @@ internal static class WingSampler
         double rise = random.Uniform(0.42, 0.75);
         rise = form.Feathers > 0 ? Math.Max(LeastOfFeathers, rise) : rise;
         double sweep = random.Uniform(0.22, 0.4);
+        double longer = 1 + (builder.Fitting * builder.Stream("wing span").Uniform(ShortestOfForm, LongestOfForm));
         ThinWing[] thins = builder.Species.Class == AnimalClass.Arthropod ? insectWings : fairyWings[builder.Stream("thin wing family").Integer(0, fairyWings.Length)];
         foreach (WingPlacement wing in placement.Wings)
         {
@@ -138,7 +143,7 @@ internal static class WingSampler
                 if (builder.Sockets.TryReserve(socket, 0))
                 {
                     double torso = CarriedTorso(builder);
-                    double span = Math.Min(1.36 * form.Span * wing.Scale.X, LongestWing) * torso;
+                    double span = Math.Min(1.36 * form.Span * longer * wing.Scale.X, LongestWing) * torso;
                     double chord = Math.Min(DepthOf(builder, form, span) * random.Uniform(0.9, 1.15), DeepestWing * torso);
                     builder.Wings.Add(new WingBlueprint(style, socket, span, chord, rise, sweep));
                 }

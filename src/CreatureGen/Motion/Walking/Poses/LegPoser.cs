@@ -283,7 +283,7 @@ internal sealed class LegPoser
     private static void FoldBack(LegRig leg, ref Quaternion ankle)
     {
         Quaternion beyond = Rotation.Multiply(Rotation.Inverse(leg.Limits.AnkleFolded), ankle);
-        if (beyond.X * beyond.W * leg.Limits.AnkleFold.X <= 0f)
+        if (beyond.X * beyond.W * leg.Limits.AnkleFold.X <= 0f || Math.Abs(beyond.X) > Math.Abs(beyond.W))
         {
             return;
         }
