@@ -45,7 +45,7 @@ internal readonly struct TrunkSpan
     {
         float rear = MiddleOf(true, i => homes[i].Z);
         float front = MiddleOf(false, i => homes[i].Z);
-        float hips = Mean(legs, leg => leg.HipRest.Z) - (rows == 1 ? rear : 0.5f * (rear + front));
+        float hips = (rows == 1 ? 0.4f : 1f) * (Mean(legs, leg => leg.HipRest.Z) - (rows == 1 ? rear : 0.5f * (rear + front)));
         if (rows > 2)
         {
             float wide = Math.Max(front - rear, 0.1f * length);
