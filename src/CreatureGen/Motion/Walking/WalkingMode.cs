@@ -114,7 +114,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
 
     public bool Escapes => false;
 
-    public float Clearance => 0f;
+    public float Clearance => placer.Climb * body.Span.Hips;
 
     public float Incline => placer.Climb;
 

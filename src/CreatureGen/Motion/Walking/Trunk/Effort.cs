@@ -22,7 +22,7 @@ internal readonly record struct Effort(float HindDrop, float ForeDrop, float Shi
 
     // Leg lengths for each part of gravity.
     private const float CrouchOfStart = 0.16f;
-    private const float DropOfStart = 0.30f;
+    private const float DropOfStart = 0.33f;
     private const float SitOfBraking = 0.24f;
     private const float RiseOfBraking = 0.10f;
     private const float ShiftOfStart = 0.14f;
