@@ -8,10 +8,10 @@ namespace CreatureGen.Creatures;
 /// <summary>How much of the light from all around reaches the skin of a creature at rest past its own limbs, head and tail: between the legs, below the belly and in the bends it is darker.</summary>
 /// <remarks>
 /// The capsules of the bones stand for the body: each hides a share r²/d² of the sky, by the cosine of its direction, from a place d away from its axis, as a sphere does. What is farther than some radii hides nothing.
-/// The atlas of a creature has it in the red channel beside the roughness (<see cref="CreatureTextures.Roughness"/>); who draws with vertex colours can multiply them with it.
+/// The atlas of a creature has it in the red channel beside the roughness (<see cref="CreatureTextures.Roughness"/>); <see cref="CreatureTextures.AmbientOcclusionOf"/> gives it for vertices.
 /// Based on: I. Quilez 2006, "Sphere ambient occlusion".
 /// </remarks>
-public sealed class AmbientOcclusion
+internal sealed class AmbientOcclusion
 {
     /// <summary>Beyond so many radii from its axis a capsule hides nothing.</summary>
     private const float Reach = 4f;
@@ -24,14 +24,8 @@ public sealed class AmbientOcclusion
     private AmbientOcclusion(Capsule[] capsules) => this.capsules = capsules;
 
     /// <summary>Prepares a creature.</summary>
-    /// <exception cref="ArgumentNullException">There is no creature.</exception>
     public static AmbientOcclusion Of(Creature creature)
     {
-        if (creature is null)
-        {
-            throw new ArgumentNullException(nameof(creature));
-        }
-
         var capsules = new Capsule[creature.Bones.Count];
         for (int i = 0; i < capsules.Length; i++)
         {
@@ -56,24 +50,6 @@ public sealed class AmbientOcclusion
         }
 
         return Least + ((1f - Least) * open);
-    }
-
-    /// <summary>The share of the light that reaches each vertex of a mesh in model space at rest, such as <see cref="Creature.Mesh"/> or one of its levels of detail.</summary>
-    /// <exception cref="ArgumentNullException">There is no mesh.</exception>
-    public float[] OfVertices(CreatureMesh mesh)
-    {
-        if (mesh is null)
-        {
-            throw new ArgumentNullException(nameof(mesh));
-        }
-
-        float[] open = new float[mesh.Positions.Length];
-        for (int v = 0; v < open.Length; v++)
-        {
-            open[v] = At(mesh.Positions[v], mesh.Normals[v]);
-        }
-
-        return open;
     }
 
     private readonly struct Capsule

@@ -47,7 +47,7 @@ public sealed class CreatureTextures
     /// <summary>Normals in tangent space as glTF has them: red along u, green against v, blue outwards; 128 is nought.</summary>
     public ReadOnlySpan<byte> Normal => normal;
 
-    /// <summary>Ambient occlusion in the red channel (<see cref="AmbientOcclusion"/>; 255 in the open), roughness in the green one, metalness (none) in the blue one.</summary>
+    /// <summary>Ambient occlusion in the red channel (<see cref="AmbientOcclusionOf"/>; 255 in the open), roughness in the green one, metalness (none) in the blue one.</summary>
     public ReadOnlySpan<byte> Roughness => roughness;
 
     /// <summary>Paints the atlas of a creature. The same creature and size give the same bytes.</summary>
@@ -83,6 +83,23 @@ public sealed class CreatureTextures
 
         CoatPainter Coat() => new(creature.Blueprint.Coat, CoatSubjects.Of(creature.Blueprint, grown, eye));
         TexturePainter PainterOf(RowBand rows, CoarseColours? coarse) => new(Coat(), CoatSubjects.ReliefOf(creature.Blueprint), pictures, coarse, rows);
+    }
+
+    /// <summary>
+    /// The share of the light from all around, 0.2..1, that reaches each vertex of a creature's mesh at rest past its own limbs, head and tail: for who draws with vertex colours, which are to be multiplied with it; the atlas has it.
+    /// </summary>
+    /// <exception cref="ArgumentNullException">There is no creature.</exception>
+    public static float[] AmbientOcclusionOf(Creature creature)
+    {
+        CreatureMesh mesh = creature?.Mesh ?? throw new ArgumentNullException(nameof(creature));
+        AmbientOcclusion occlusion = AmbientOcclusion.Of(creature);
+        float[] open = new float[mesh.Positions.Length];
+        for (int v = 0; v < open.Length; v++)
+        {
+            open[v] = occlusion.At(mesh.Positions[v], mesh.Normals[v]);
+        }
+
+        return open;
     }
 
     /// <summary>

@@ -14,11 +14,7 @@ public sealed class AmbientOcclusionTests
     private const int Size = 512;
 
     [Fact]
-    public void No_creature_and_no_mesh_are_refused()
-    {
-        Assert.Throws<ArgumentNullException>(() => AmbientOcclusion.Of(null!));
-        Assert.Throws<ArgumentNullException>(() => AmbientOcclusion.Of(CreatureGenerator.Generate(1)).OfVertices(null!));
-    }
+    public void No_creature_is_refused() => Assert.Throws<ArgumentNullException>(() => CreatureTextures.AmbientOcclusionOf(null!));
 
     /// <summary>A sphere of radius r, whose middle lies d straight ahead, hides r²/d² of the sky; the share fades to nought at four radii.</summary>
     [Theory]
@@ -48,7 +44,7 @@ public sealed class AmbientOcclusionTests
             Creature creature = CreatureGenerator.Build(BlueprintSampler.Sample(seed, kind));
             AmbientOcclusion occlusion = AmbientOcclusion.Of(creature);
             CreatureMesh mesh = creature.Mesh;
-            float[] open = occlusion.OfVertices(mesh);
+            float[] open = CreatureTextures.AmbientOcclusionOf(creature);
             for (int v = 0; v < open.Length; v++)
             {
                 Assert.InRange(open[v], 0.2f, 1f);
@@ -73,7 +69,7 @@ public sealed class AmbientOcclusionTests
 
             seen++;
             CreatureMesh mesh = creature.Mesh;
-            float[] open = AmbientOcclusion.Of(creature).OfVertices(mesh);
+            float[] open = CreatureTextures.AmbientOcclusionOf(creature);
             int[] legs = creature.Limbs.Where(limb => limb.Stands).SelectMany(limb => limb.Joints).ToArray();
             double inside = Mean(v => mesh.Normals[v].X * mesh.Positions[v].X < 0f);
             double outside = Mean(v => mesh.Normals[v].X * mesh.Positions[v].X > 0f);
@@ -95,7 +91,7 @@ public sealed class AmbientOcclusionTests
         Creature creature = CreatureGenerator.Build(BlueprintSampler.Sample(seed, kind));
         CreatureTextures textures = CreatureTextures.Bake(creature, Size);
         CreatureMesh mesh = creature.Mesh;
-        float[] open = AmbientOcclusion.Of(creature).OfVertices(mesh);
+        float[] open = CreatureTextures.AmbientOcclusionOf(creature);
         double sum = 0;
         int count = 0;
         for (int v = 0; v < open.Length; v++)

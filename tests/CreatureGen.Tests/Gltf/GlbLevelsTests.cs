@@ -80,21 +80,23 @@ public sealed class GlbLodTests
         Assert.StartsWith("levels 9; expected Finest, Half, Quarter, Tenth or All", e.Message, StringComparison.Ordinal);
     }
 
-    /// <summary>Veins of insects' wings have vertices of their own, so that no order spares them.</summary>
+    /// <summary>Coarse levels have more vertices for a triangle, at the seams of charts, and veins of insects' wings have vertices of their own: no order spares those, but none is transformed much more often than once.</summary>
     [Theory]
-    [InlineData(RequestedKind.Walking, 0.75)]
-    [InlineData(RequestedKind.Flying, 0.79)]
-    [InlineData(RequestedKind.Swimming, 0.75)]
+    [InlineData(RequestedKind.Walking, 0.77)]
+    [InlineData(RequestedKind.Flying, 0.80)]
+    [InlineData(RequestedKind.Swimming, 0.77)]
     public void Triangles_of_all_levels_are_in_an_order_that_a_vertex_cache_gains_from(RequestedKind kind, double most)
     {
         for (int seed = 0; seed < (Thoroughness.IsExhaustive ? 40 : 4); seed++)
         {
             Creature creature = LodSubjects.Of(kind, seed);
             GlbFile file = GlbFile.Of(creature, new GltfOptions { Lods = LodChoice.All });
+            Assert.InRange(MissesPerTriangle(IndicesOf(file, 0), 16), 0.5, most);
             for (int level = 0; level < 4; level++)
             {
-                Assert.Equal(creature.Mesh.Lods[level].Triangles.ToArray(), IndicesOf(file, level));
-                Assert.InRange(MissesPerTriangle(IndicesOf(file, level), 16), 0.5, most);
+                int[] indices = IndicesOf(file, level);
+                Assert.Equal(creature.Mesh.Lods[level].Triangles.ToArray(), indices);
+                Assert.InRange(MissesPerTriangle(indices, 16) * indices.Length / 3 / indices.Distinct().Count(), 1, 1.45);
             }
         }
     }

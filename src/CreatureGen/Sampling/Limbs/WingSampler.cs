@@ -50,9 +50,8 @@ internal static class WingSampler
     /// <summary>Least rise of a wing of feathers; membranes are deep enough to be seen from the side.</summary>
     private const double LeastOfFeathers = 0.54;
 
-    /// <summary>By how much wings of mixed bodies are shorter and longer than their form has them: they are most of an outline, and all alike make doubles.</summary>
-    private const double ShortestOfForm = -0.14;
-    private const double LongestOfForm = 0.1;
+    /// <summary>By how much wings of feathers of mixed bodies are shorter than their form has them at most: they are most of an outline, and all alike make doubles. Longer ones, and membranes of other lengths, would not fold onto the body.</summary>
+    private const double ShortestOfForm = 0.2;
 
     /// <summary>Degrees; thin wings that point farther back lie along the body.</summary>
     private const double FoldedAzimuth = -60;
@@ -133,8 +132,8 @@ internal static class WingSampler
         // Hardly raised, a wing of feathers is a stub from the side; hardly swept, a raised one is its own edge from there.
         double rise = random.Uniform(0.42, 0.75);
         rise = form.Feathers > 0 ? Math.Max(LeastOfFeathers, rise) : rise;
-        double sweep = random.Uniform(0.22, 0.4);
-        double longer = 1 + (builder.Fitting * builder.Stream("wing span").Uniform(ShortestOfForm, LongestOfForm));
+        double sweep = random.Uniform(0.19, 0.42);
+        double shorter = form.Feathers == 0 ? 1 : 1 - (builder.Fitting * builder.Stream("wing span").Uniform(0, ShortestOfForm));
         ThinWing[] thins = builder.Species.Class == AnimalClass.Arthropod ? insectWings : fairyWings[builder.Stream("thin wing family").Integer(0, fairyWings.Length)];
         foreach (WingPlacement wing in placement.Wings)
         {
@@ -143,7 +142,7 @@ internal static class WingSampler
                 if (builder.Sockets.TryReserve(socket, 0))
                 {
                     double torso = CarriedTorso(builder);
-                    double span = Math.Min(1.36 * form.Span * longer * wing.Scale.X, LongestWing) * torso;
+                    double span = Math.Min(1.36 * form.Span * shorter * wing.Scale.X, LongestWing) * torso;
                     double chord = Math.Min(DepthOf(builder, form, span) * random.Uniform(0.9, 1.15), DeepestWing * torso);
                     builder.Wings.Add(new WingBlueprint(style, socket, span, chord, rise, sweep));
                 }

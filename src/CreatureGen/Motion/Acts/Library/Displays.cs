@@ -79,8 +79,8 @@ internal static class Displays
             new ActPhase("rise", 2.4f).To(ForeDown, 0f).To(HindDown, 0f).To(Ahead, 0f).To(NeckPitch, 0f).To(NeckSide, 0f).To(HeadPitch, 0f).To(Ears, 0f).To(TailPitch, 0f).To(TailCurl, 0f).To(Wings, 0f).To(BackPitch, 0f))
             .Needing(ActNeeds.Head).For(BodyBuild.Standing).OnTheSpot(),
         new Act("Submit", ActKind.Display,
-            new ActPhase("sink", 2.4f).To(Up, -0.35f).To(Ahead, -0.3f).To(Pitch, -0.3f).To(BackPitch, -0.25f).To(NeckPitch, -0.4f).To(HeadPitch, -0.2f).To(Ears, 1f).To(Lids, 0.4f).To(Wings, -0.7f),
-            new ActPhase("show the belly", 2.2f).To(Roll, 0.85f).To(BackSide, 0.3f).To(NeckSide, 0.35f).To(HeadSide, 0.2f),
+            new ActPhase("sink", 2.4f).To(Up, -0.35f).To(Ahead, -0.3f).To(Pitch, -0.3f).To(BackPitch, -0.15f).To(NeckPitch, -0.2f).To(HeadPitch, -0.2f).To(Ears, 1f).To(Lids, 0.4f).To(Wings, -0.4f),
+            new ActPhase("show the belly", 2.2f).To(Roll, 0.85f).To(BackSide, 0.2f).To(NeckSide, 0.2f).To(HeadSide, 0.2f),
             new ActPhase("stay", 6f).With(new ActWave(Roll, 0.06f, 2f)).With(new ActWave(Up, 0.02f, 12f)),
             new ActPhase("look up", 1.6f).To(Roll, 0.2f).To(NeckPitch, -0.1f).To(NeckSide, 0.1f).To(HeadPitch, 0.15f).To(HeadSide, 0f).To(Lids, 0f),
             new ActPhase("level", 2.4f).To(Up, 0f).To(Ahead, 0f).To(Pitch, 0f).To(Roll, 0f).To(BackPitch, 0f).To(BackSide, 0f).To(NeckPitch, 0f).To(NeckSide, 0f).To(HeadPitch, 0f).To(Ears, 0f).To(Wings, 0f))
