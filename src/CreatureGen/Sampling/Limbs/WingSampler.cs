@@ -53,6 +53,10 @@ internal static class WingSampler
     /// <summary>By how much wings of feathers of mixed bodies are shorter than their form has them at most: they are most of an outline, and all alike make doubles. Longer ones, and membranes of other lengths, would not fold onto the body.</summary>
     private const double ShortestOfForm = 0.2;
 
+    /// <summary>The sweep in the middle of all, and how much more than those of membranes the sweeps of feathers differ.</summary>
+    private const double MiddleSweep = 0.31;
+    private const double SweepOfFeathers = 1.6;
+
     /// <summary>Degrees; thin wings that point farther back lie along the body.</summary>
     private const double FoldedAzimuth = -60;
 
@@ -132,8 +136,9 @@ internal static class WingSampler
         // Hardly raised, a wing of feathers is a stub from the side; hardly swept, a raised one is its own edge from there.
         double rise = random.Uniform(0.42, 0.75);
         rise = form.Feathers > 0 ? Math.Max(LeastOfFeathers, rise) : rise;
-        double sweep = random.Uniform(0.19, 0.42);
-        double shorter = form.Feathers == 0 ? 1 : 1 - (builder.Fitting * builder.Stream("wing span").Uniform(0, ShortestOfForm));
+        double sweep = random.Uniform(0.22, 0.4);
+        sweep = form.Feathers > 0 ? MiddleSweep + (SweepOfFeathers * (sweep - MiddleSweep)) : sweep;
+        double shorter = form.Feathers == 0 ? 1 : 1 - (builder.Fitting * builder.Stream("length of wings").Uniform(0, ShortestOfForm));
         ThinWing[] thins = builder.Species.Class == AnimalClass.Arthropod ? insectWings : fairyWings[builder.Stream("thin wing family").Integer(0, fairyWings.Length)];
         foreach (WingPlacement wing in placement.Wings)
         {

@@ -10,9 +10,9 @@ namespace CreatureGen.Sampling.Shapes;
 /// <summary>Heads of strange creatures in proportion to their trunks: a head on a trunk that is thinner than itself is a wedge on a tube from every side.</summary>
 internal static class HeadFit
 {
-    /// <summary>By how much the thickest necks for a head differ from walker to walker: all alike, bodies of one build are doubles of one another.</summary>
-    private const double SlimmestNeck = 0.85;
-    private const double StoutestNeck = 1.08;
+    /// <summary>By how much the thickest necks for a head differ from snake to snake: all alike, those of one build are doubles of one another.</summary>
+    private const double SlimmestNeck = 0.95;
+    private const double StoutestNeck = 1.12;
 
     // Largest head against its trunk, each at its largest: by breadth, by height, and by the mean of both.
     private const double Breadth = 1.15;
@@ -92,7 +92,7 @@ internal static class HeadFit
         (double neckWidth, double neckHeight) = Largest(shape, FirstOfNeck, LastOfNeck);
         (double thickest, double least) = neckless ? (NeckOfNeckless, LeastOfNeckless) : (Neck, LeastNeck);
         least = builder.Species.Class == AnimalClass.Arthropod ? least : Math.Max(least, Math.Min(1, NeckOfTrunk * Math.Sqrt(width * height / (neckWidth * neckHeight))));
-        double own = builder.Kind == LocomotionKind.Walking ? builder.Stream("neck of a head").Uniform(SlimmestNeck, StoutestNeck) : 1;
+        double own = builder.Plan == BodyPlan.Legless ? builder.Stream("neck of a head").Uniform(SlimmestNeck, StoutestNeck) : 1;
         double neck = necked ? Scalar.Clamp(thickest * own * head * Math.Sqrt(headWidth * headHeight / (neckWidth * neckHeight)), least, 1) : 1;
         return drawn with
         {

@@ -42,8 +42,7 @@ internal static class TailFit
     /// <summary>Least that the last third of a bare tail falls behind the rump, degrees: one that bends up to the level has a round end for who is behind it.</summary>
     private const double TipFallDegrees = 16;
 
-    /// <summary>By how much that of mixed bodies differs from creature to creature, and that of a tail behind what rows: all alike, bodies of one build are doubles of one another.</summary>
-    private const double TipsDiffer = 8;
+    /// <summary>By how much that of a tail behind what rows differs from creature to creature: all alike, bodies of one build are doubles of one another.</summary>
     private const double RowersDiffer = 5;
 
     /// <summary>The same of a bare tail behind an upright body, which is seen between its legs from the front where it falls further.</summary>
@@ -198,8 +197,7 @@ internal static class TailFit
         }
 
         // Its end turns down, and its root up by half of that, so that the whole of it falls as before.
-        double least = TipFallDegrees + builder.Stream("fall of tip").Uniform(-TipsDiffer, TipsDiffer);
-        double lacks = builder.Fitting * Math.Max(0, Scalar.Radians(least) - Fall(builder, LastThird));
+        double lacks = builder.Fitting * Math.Max(0, Scalar.Radians(TipFallDegrees) - Fall(builder, LastThird));
         return builder.Posture with { Tail = builder.Posture.Tail - (0.5 * lacks), TailBend = builder.Posture.TailBend + (lacks / BodyGrid.TailBones) };
     }
 

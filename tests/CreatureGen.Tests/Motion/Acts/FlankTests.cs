@@ -12,6 +12,7 @@ using CreatureGen.Sampling;
 using CreatureGen.Skinning;
 using CreatureGen.Tests.Creatures;
 using CreatureGen.Tests.Sampling;
+using CreatureGen.Tests.Motion.Kept;
 using Xunit;
 
 namespace CreatureGen.Tests.Motion.Acts;
@@ -94,7 +95,7 @@ public class FlankTests
     [InlineData(21200502UL, "Sleep")]
     [InlineData(21200107UL, "Die", Explicit = true)]
     public void No_joint_of_an_upright_body_whirls_as_it_lies_down_on_its_side(ulong seed, string act) =>
-        NoJointWhirls(new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking, BodyPlans = new(new[] { new BodyPlanWeight(BodyPlan.Upright, 1000) }) })), act);
+        NoJointWhirls(new MotionProfile(KeptCreatures.Of(seed)), act);
 
     private static void NoJointWhirls(MotionProfile profile, string act)
     {

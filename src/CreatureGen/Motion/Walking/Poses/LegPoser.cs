@@ -20,6 +20,9 @@ internal sealed class LegPoser
     /// <summary>How far a flat foot that trails behind is pointed beyond its pitch in the swing, radians.</summary>
     private const float TrailedPitch = 0.9f;
 
+    /// <summary>Tangent of half the turn beyond its fold from which on an ankle is taken for stretched too far instead: 170 degrees.</summary>
+    private const float FarBeyond = 11.43f;
+
     /// <summary>How close to its hip a foot that is carried over something passes below it, parts of the length of the leg as folded as it gets.</summary>
     private const float NearestPass = 0.7f;
 
@@ -96,9 +99,10 @@ internal sealed class LegPoser
         }
 
         HipLimit limit = HipLimit.Of(foot);
+        float far = foot.Phase == FootPhase.Swing ? FarBeyond : float.PositiveInfinity;
         float laid = limit.Laid(leg);
         bool linked = leg.Traits.Linkage == LegLinkage.Pantograph;
-        Quaternion metatarsus = PoseFoot(leg, solved, wanted, local, laid, out Vector3 astray, out float excess);
+        Quaternion metatarsus = PoseFoot(leg, solved, wanted, local, far, laid, out Vector3 astray, out float excess);
         foot.Leg.Relaxation = foot.Phase == FootPhase.Swing ? foot.Leg.Relaxation : excess;
         float fraction = excess > 0f ? limit.Relaxed(leg, foot, excess) : 0f;
         bool turned = stands && fraction > 0f;
@@ -125,7 +129,7 @@ internal sealed class LegPoser
                 lying.Toes = UnitRotation.Nlerp(asked, wanted.Toes, limit.Held);
             }
 
-            metatarsus = PoseFoot(leg, solved, lying, local, stands ? 1f : linked ? limit.Held : laid, out astray, out excess);
+            metatarsus = PoseFoot(leg, solved, lying, local, far, stands ? 1f : linked ? limit.Held : laid, out astray, out excess);
             fraction = i == 0 ? fraction * laid : fraction;
         }
 
@@ -237,11 +241,12 @@ internal sealed class LegPoser
     /// <param name="solved">Hip and knee.</param>
     /// <param name="pose">How foot and toes should lie.</param>
     /// <param name="local">The pose.</param>
+    /// <param name="far">Tangent of half the turn beyond its fold from which on the ankle is taken for stretched too far: those of feet on the ground are folded however far.</param>
     /// <param name="laid">How far the toes lie as they should all the same where an ankle turns its foot, 0..1, instead of going along with it.</param>
     /// <param name="astray">How far the limit of its ankle takes the ball of a linked leg from where its linkage has it, metres.</param>
     /// <param name="excess">How far ankle and ball are kept from how they should be, about half the angle in radians.</param>
     /// <returns>The turn of the metatarsus from rest.</returns>
-    private Quaternion PoseFoot(LegRig leg, in LegRotations solved, in FootPose pose, in Pose local, float laid, out Vector3 astray, out float excess)
+    private Quaternion PoseFoot(LegRig leg, in LegRotations solved, in FootPose pose, in Pose local, float far, float laid, out Vector3 astray, out float excess)
     {
         Quaternion metatarsus = pose.Foot;
         if (leg.Traits.Linkage == LegLinkage.Pantograph)
@@ -254,7 +259,7 @@ internal sealed class LegPoser
         Quaternion asked = local.Rotations[leg.Ankle];
         if (leg.Traits.Linkage == LegLinkage.Foot && !leg.Lateral)
         {
-            FoldBack(leg, ref local.Rotations[leg.Ankle]);
+            FoldBack(leg, far, ref local.Rotations[leg.Ankle]);
         }
 
         // The toes go along with a foot that its ankle turns; those of a flat foot stay on the ground as its heel comes off.
@@ -280,10 +285,10 @@ internal sealed class LegPoser
     }
 
     /// <summary>Takes from an ankle the fold beyond its limit, seen from that limit: seen from rest one of half a turn and more is bent the other way, or aside.</summary>
-    private static void FoldBack(LegRig leg, ref Quaternion ankle)
+    private static void FoldBack(LegRig leg, float far, ref Quaternion ankle)
     {
         Quaternion beyond = Rotation.Multiply(Rotation.Inverse(leg.Limits.AnkleFolded), ankle);
-        if (beyond.X * beyond.W * leg.Limits.AnkleFold.X <= 0f || Math.Abs(beyond.X) > Math.Abs(beyond.W))
+        if (beyond.X * beyond.W * leg.Limits.AnkleFold.X <= 0f || Math.Abs(beyond.X) > far * Math.Abs(beyond.W))
         {
             return;
         }
