@@ -52,6 +52,21 @@ internal sealed class AmbientOcclusion
         return Least + ((1f - Least) * open);
     }
 
+    /// <summary>The share of the light that reaches each of some places.</summary>
+    /// <param name="positions">Places of the skin at rest, in units of their own.</param>
+    /// <param name="normals">Their unit normals, as many.</param>
+    /// <param name="scale">Metres of the model for each of those units.</param>
+    public float[] OfAll(ReadOnlySpan<Vector3> positions, ReadOnlySpan<Vector3> normals, float scale)
+    {
+        float[] open = new float[positions.Length];
+        for (int i = 0; i < open.Length; i++)
+        {
+            open[i] = At(positions[i] * scale, normals[i]);
+        }
+
+        return open;
+    }
+
     private readonly struct Capsule
     {
         private readonly Vector3 start;

@@ -75,7 +75,8 @@ public sealed class CreatureTextures
         using var pictures = new AtlasPictures(size);
         PaintSwatches(pictures);
         ChartPacking packing = ChartPacking.Pack(surface);
-        Paint(surface, packing, new VertexCoat(Coat(), surface, normals, OpennessOf(creature, surface, normals)), size, PainterOf);
+        float[] openness = AmbientOcclusion.Of(creature).OfAll(surface.Positions, normals, (float)creature.Blueprint.Scale);
+        Paint(surface, packing, new VertexCoat(Coat(), surface, normals, openness), size, PainterOf);
         pictures.Bleed(Math.Max(2, size / 256));
         pictures.FillGround();
         ForEachBand(size, rows => pictures.Emboss(1f / (packing.Density * size), rows));
@@ -92,14 +93,7 @@ public sealed class CreatureTextures
     public static float[] AmbientOcclusionOf(Creature creature)
     {
         CreatureMesh mesh = creature?.Mesh ?? throw new ArgumentNullException(nameof(creature));
-        AmbientOcclusion occlusion = AmbientOcclusion.Of(creature);
-        float[] open = new float[mesh.Positions.Length];
-        for (int v = 0; v < open.Length; v++)
-        {
-            open[v] = occlusion.At(mesh.Positions[v], mesh.Normals[v]);
-        }
-
-        return open;
+        return AmbientOcclusion.Of(creature).OfAll(mesh.Positions, mesh.Normals, 1f);
     }
 
     /// <summary>
@@ -109,19 +103,6 @@ public sealed class CreatureTextures
 
     /// <summary>Texture coordinates of a place that leaves a surface its colour.</summary>
     internal static Vector2 PlainTexcoord => ChartPacking.Swatch(0);
-
-    private static float[] OpennessOf(Creature creature, Surface surface, Vector3[] normals)
-    {
-        AmbientOcclusion occlusion = AmbientOcclusion.Of(creature);
-        float scale = (float)creature.Blueprint.Scale;
-        float[] openness = new float[normals.Length];
-        for (int v = 0; v < openness.Length; v++)
-        {
-            openness[v] = occlusion.At(surface.Positions[v] * scale, normals[v]);
-        }
-
-        return openness;
-    }
 
     private static void PaintSwatches(AtlasPictures pictures)
     {

@@ -7,6 +7,9 @@ namespace CreatureGen.Motion.Walking.Bodies;
 /// <summary>Where the joints at the ends of a trunk are seen from the feet: 0 over the middle of the hind feet, 1 over that of the fore feet. The trunk goes with the slope under its feet.</summary>
 internal readonly struct TrunkSpan
 {
+    /// <summary>Part of the way from the middle of the feet to the hips that the root of a body on two legs goes on a slope: wholly over its hips it falls behind on stairs, over its feet these come deeper into the risers.</summary>
+    private const float HipsOfTwoLegs = 0.4f;
+
     private TrunkSpan(float rear, float front, float hips, float hind, float fore)
     {
         Rear = rear;
@@ -45,7 +48,7 @@ internal readonly struct TrunkSpan
     {
         float rear = MiddleOf(true, i => homes[i].Z);
         float front = MiddleOf(false, i => homes[i].Z);
-        float hips = (rows == 1 ? 0.4f : 1f) * (Mean(legs, leg => leg.HipRest.Z) - (rows == 1 ? rear : 0.5f * (rear + front)));
+        float hips = (rows == 1 ? HipsOfTwoLegs : 1f) * (Mean(legs, leg => leg.HipRest.Z) - (rows == 1 ? rear : 0.5f * (rear + front)));
         if (rows > 2)
         {
             float wide = Math.Max(front - rear, 0.1f * length);
