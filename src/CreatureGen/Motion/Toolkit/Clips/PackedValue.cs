@@ -4,12 +4,15 @@ using CreatureGen.Maths;
 
 namespace CreatureGen.Motion.Toolkit.Clips;
 
-/// <summary>Rotations and positions as three numbers of 16 bits.</summary>
-/// <remarks>Based on: the "smallest three" of G. Fiedler, "Snapshot compression" (2015), with the range of the track in place of ±√½.</remarks>
+/// <summary>Rotations and positions as 48 bits: three numbers of 16, of rotations three digits and which component is left out.</summary>
+/// <remarks>Based on: the "smallest three" of G. Fiedler, "Snapshot compression" (2015), with the range of the track in place of ±√½ and digits in place of bits, of which there would be 15 and one to spare.</remarks>
 internal static class PackedValue
 {
     /// <summary>Steps of a component of a rotation, to either side of 0.</summary>
-    private const int TurnSteps = 0x3FFF;
+    private const int TurnSteps = 20642;
+
+    /// <summary>Values of a component of a rotation: the most of which three, and four choices of what is left out, fit into 48 bits.</summary>
+    private const uint TurnValues = (2 * TurnSteps) + 1;
 
     /// <summary>Steps of a component of a position, to either side of 0.</summary>
     private const int PlaceSteps = 0x7FFF;
@@ -36,19 +39,22 @@ internal static class PackedValue
         int b = Whole(sign * Component(q, (largest + 2) & 3), range, TurnSteps);
         int c = Whole(sign * Component(q, (largest + 3) & 3), range, TurnSteps);
 
-        // The two bits of which component is left out are the highest of the first two.
-        return ((ushort)(a | ((largest & 1) << 15)), (ushort)(b | ((largest >> 1) << 15)), (ushort)c);
+        ulong number = ((((((ulong)c * TurnValues) + (uint)b) * TurnValues) + (uint)a) << 2) | (uint)largest;
+        return ((ushort)number, (ushort)(number >> 16), (ushort)(number >> 32));
     }
 
     /// <summary>Unpacks a rotation.</summary>
     public static Quaternion Turn(ushort a, ushort b, ushort c, float range)
     {
+        ulong number = a | ((ulong)b << 16) | ((ulong)c << 32);
+        ulong above = (number >> 2) / TurnValues;
+        uint last = (uint)(above / TurnValues);
         float step = range / TurnSteps;
-        float x = ((a & 0x7FFF) - TurnSteps) * step;
-        float y = ((b & 0x7FFF) - TurnSteps) * step;
-        float z = (c - TurnSteps) * step;
+        float x = ((int)((number >> 2) - (above * TurnValues)) - TurnSteps) * step;
+        float y = ((int)(above - ((ulong)last * TurnValues)) - TurnSteps) * step;
+        float z = ((int)last - TurnSteps) * step;
         float w = (float)Math.Sqrt(Math.Max(0f, 1f - (x * x) - (y * y) - (z * z)));
-        return ((a >> 15) | (b >> 15 << 1)) switch
+        return ((int)number & 3) switch
         {
             0 => new Quaternion(w, x, y, z),
             1 => new Quaternion(z, w, x, y),
