@@ -28,6 +28,7 @@ internal sealed class SheetVerb : IVerb
 
     private static readonly OptionSyntax skeleton = new("--skeleton", null, "show the bones through the skin");
     private static readonly OptionSyntax face = new("--face", null, "show the heads alone, close");
+    private static readonly OptionSyntax rest = new("--rest", null, "show them as they were built, instead of on their way");
     private static readonly OptionSyntax columns = new("--columns", "N", "creatures in a row, 1 to 200 (default 6)");
     private static readonly OptionSyntax size = new("--size", "PIXELS", "width of one creature's picture, 32 to 4096 (default 340)");
 
@@ -44,7 +45,7 @@ internal sealed class SheetVerb : IVerb
             new("sheet --seeds 1-10 --act bite --out bites.png", "ten creatures in an act, six moments of it each"),
             new("sheet --seeds 1-4 --skeleton --columns 2 --size 640 --out bones.png", "four skeletons, large"),
         ],
-        [SeedOptions.Seed, SeedOptions.Seeds, SeedOptions.Individual, SeedOptions.Individuals, CommonOptions.OutFile with { Meaning = "the picture to write (PNG)" }, CommonOptions.View, face, skeleton, ActArguments.Act with { Meaning = "show six moments of an act, a row for each creature that can do it: " + ActArguments.Act.Meaning }, CommonOptions.Flat, columns, size, .. CreatureArguments.Syntax, CommonOptions.Threads, CommonOptions.Quiet]);
+        [SeedOptions.Seed, SeedOptions.Seeds, SeedOptions.Individual, SeedOptions.Individuals, CommonOptions.OutFile with { Meaning = "the picture to write (PNG)" }, CommonOptions.View, face, skeleton, rest, ActArguments.Act with { Meaning = "show six moments of an act, a row for each creature that can do it: " + ActArguments.Act.Meaning }, CommonOptions.Flat, columns, size, .. CreatureArguments.Syntax, CommonOptions.Threads, CommonOptions.Quiet]);
 
     /// <inheritdoc/>
     public int Run(ParsedArguments arguments, Surroundings surroundings)
@@ -84,17 +85,18 @@ internal sealed class SheetVerb : IVerb
 
     private static Figure ReadFigure(ParsedArguments arguments)
     {
-        if (arguments.Has(face.Name) && arguments.Has(skeleton.Name))
+        (OptionSyntax Option, Figure Figure)[] asked = Array.FindAll<(OptionSyntax Option, Figure Figure)>([(face, Figure.Face), (skeleton, Figure.Skeleton), (rest, Figure.SkinAtRest)], one => arguments.Has(one.Option.Name));
+        if (asked.Length > 1)
         {
-            throw arguments.Wrong("--face and --skeleton; expected one of them");
+            throw arguments.Wrong($"{asked[0].Option.Name} and {asked[1].Option.Name}; expected one of them");
         }
 
-        if (arguments.Has(ActArguments.Act.Name) && (arguments.Has(face.Name) || arguments.Has(skeleton.Name)))
+        if (arguments.Has(ActArguments.Act.Name) && asked.Length > 0)
         {
-            throw arguments.Wrong("--act and --face or --skeleton; expected one of them");
+            throw arguments.Wrong($"--act and {asked[0].Option.Name}; expected one of them");
         }
 
-        return arguments.Has(face.Name) ? Figure.Face : arguments.Has(skeleton.Name) ? Figure.Skeleton : Figure.Skin;
+        return asked.Length > 0 ? asked[0].Figure : Figure.Skin;
     }
 
     private static void RequireRoom(ParsedArguments arguments, UInt128 count, ContactSheetOptions layout)
@@ -121,6 +123,7 @@ internal sealed class SheetVerb : IVerb
             {
                 Figure.Skeleton => Portrait.TakeSkeleton(creature, style.View, render),
                 Figure.Face => Portrait.TakeFace(creature, style.View, render),
+                Figure.SkinAtRest => Portrait.TakeAtRest(creature, style.View, render),
                 _ => Portrait.Take(creature, style.View, render),
             };
             progress.Step();
@@ -145,6 +148,7 @@ internal sealed class SheetVerb : IVerb
         Skin,
         Skeleton,
         Face,
+        SkinAtRest,
     }
 
     private sealed record Style(View View, Figure Figure, RenderOptions Render);

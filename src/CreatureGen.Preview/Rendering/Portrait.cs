@@ -3,7 +3,6 @@ using System.Linq;
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Creatures;
-using CreatureGen.Motion;
 using CreatureGen.Preview.Pictures;
 using CreatureGen.Preview.Scenes;
 using CreatureGen.Rigging;
@@ -22,15 +21,15 @@ public static class Portrait
     /// <summary>Radius of what a picture of a face shows about the eyes, relative to how far the snout is ahead of them.</summary>
     private const float AboutTheEyes = 1.2f;
 
-    /// <summary>The creature at rest from a named side, as large as the frame allows: as it was built; what crawls without legs lies in the bends of its crawl.</summary>
+    /// <summary>The creature on its way from a named side, as large as the frame allows: in mid-step, in mid-stroke, at the top of its wings' beat, in the bends of its crawl. What flies stands as it was built where the view is from ahead, behind or above: there its beating wings are seen along their blades.</summary>
     public static Picture Take(Creature creature, View view, RenderOptions options)
     {
         ArgumentNullException.ThrowIfNull(options);
-        RenderMesh mesh = AtRest(creature);
+        RenderMesh mesh = OnItsWay(creature, view);
         return Dressed(creature, mesh, Fit(creature, mesh, view, options), options);
     }
 
-    /// <summary>The creature at rest under the atlas of its file, or in the colours of its vertices.</summary>
+    /// <summary>The same under the atlas of its file, or in the colours of its vertices.</summary>
     /// <param name="creature">The creature.</param>
     /// <param name="textures">Its atlas; null for none.</param>
     /// <param name="view">From which side.</param>
@@ -38,9 +37,18 @@ public static class Portrait
     public static Picture Take(Creature creature, CreatureTextures? textures, View view, RenderOptions options)
     {
         ArgumentNullException.ThrowIfNull(options);
-        RenderMesh mesh = AtRest(creature);
+        RenderMesh mesh = OnItsWay(creature, view);
         Camera camera = Fit(creature, mesh, view, options);
         return Renderer.Render(textures is not null && TakesTextures(options) ? mesh.WithTextures(textures) : mesh, camera, options);
+    }
+
+    /// <summary>The creature as it was built, from a named side, as large as the frame allows.</summary>
+    public static Picture TakeAtRest(Creature creature, View view, RenderOptions options)
+    {
+        ArgumentNullException.ThrowIfNull(creature);
+        ArgumentNullException.ThrowIfNull(options);
+        RenderMesh mesh = RenderMesh.From(creature);
+        return Dressed(creature, mesh, Fit(creature, mesh, view, options), options);
     }
 
     /// <summary>The creature in rest pose, half transparent, and its bones and joints.</summary>
@@ -76,19 +84,11 @@ public static class Portrait
         return Dressed(creature, RenderMesh.From(creature), camera, options);
     }
 
-    // A body without legs is built straight, so that its halves mirror one another, and never lies like that.
-    private static RenderMesh AtRest(Creature creature)
+    private static RenderMesh OnItsWay(Creature creature, View view)
     {
         ArgumentNullException.ThrowIfNull(creature);
-        if (creature.Blueprint.Plan != BodyPlan.Legless)
-        {
-            return RenderMesh.From(creature);
-        }
-
-        var animator = new CreatureAnimator(creature);
-        animator.Teleport(RootPlace.Identity, FlatGround.Level);
-        (Vector3[] positions, Vector3[] normals) = MovedSkin.Of(creature, RootPlace.Identity, animator.LocalPose, RootPlace.Identity);
-        return RenderMesh.From(creature, positions, normals);
+        bool alongWings = view is View.Front or View.Back or View.Top;
+        return alongWings && creature.Blueprint.Kind == LocomotionKind.Flying ? RenderMesh.From(creature) : MomentOfMotion.Of(creature);
     }
 
     // The creature under an atlas about as fine as the picture; faces of one colour need none.
