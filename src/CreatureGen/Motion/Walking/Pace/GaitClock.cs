@@ -36,7 +36,7 @@ internal sealed class GaitClock
     /// <summary>How quickly a change of that, or of how long steps are, is taken up, per second: feet would roll and fold another way at once where a gait changes.</summary>
     private const float GainRate = 8f;
 
-    /// <summary>How quickly the tempo of who comes to a stand falls at most, cycles per second in a second, parts of g/leg: its last steps are short instead of slow.</summary>
+    /// <summary>How quickly the tempo of who comes to a stand, for good or to go the other way, falls at most, cycles per second in a second, parts of g/leg: its last steps are short instead of slow.</summary>
     private const float TempoFall = 0.05f;
 
     /// <summary>The same of who goes on after all before it stands: the body's bounce goes by the tempo, and jumps where that does.</summary>
@@ -216,8 +216,9 @@ internal sealed class GaitClock
         float yaw = Math.Abs(velocity.Turn) * (1f - (0.5f * pace));
         float spot = Math.Min(yaw / YawPerCycle, Math.Max(quickest, yaw / WidestYawPerCycle));
         float needed = Math.Max(Math.Max(straight, spot), Math.Min(FrequencyInTurn(velocity.Speed, velocity.Sideways, velocity.Turn, straight, Duty), haste * quickest));
-        float fall = velocity.IsToStand ? TempoFall : TempoFallOfGoing;
-        float kept = velocity.IsToStand || isKept ? Frequency - (fall * gravity / body.LegLength * dt) : 0f;
+        bool halts = velocity.IsToStand || velocity.TurnsBack;
+        float fall = halts ? TempoFall : TempoFallOfGoing;
+        float kept = halts || isKept ? Frequency - (fall * gravity / body.LegLength * dt) : 0f;
         isKept = kept > needed;
         Frequency = Math.Max(Math.Max(needed, kept), SlowestGoing * (float)Math.Sqrt(gravity / body.LegLength));
         float length = Math.Min(measuredLength * straight / Frequency, 1f);

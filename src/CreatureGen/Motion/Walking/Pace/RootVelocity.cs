@@ -43,6 +43,9 @@ internal struct RootVelocity
     /// <summary>Whether it is to stand.</summary>
     public readonly bool IsToStand => ahead.Goal == 0f && aside.Goal == 0f && yaw.Goal == 0f;
 
+    /// <summary>Whether it comes to a stand on its way to going the other way.</summary>
+    public readonly bool TurnsBack => ahead.Speed * ahead.Goal < 0f;
+
     /// <summary>Whether it comes to a stand, and does not stand yet.</summary>
     public readonly bool Stops => IsToStand && !(ahead.IsSteady && aside.IsSteady && yaw.IsSteady);
 
