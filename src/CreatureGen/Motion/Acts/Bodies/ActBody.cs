@@ -284,9 +284,9 @@ internal sealed class ActBody
         Add(ActNeeds.Lids, Joints(JointRole.Lid).Length > 0);
         Add(ActNeeds.Sting, Subject.HasSting && Tail.Count > 0);
         Add(ActNeeds.Abdomen, Legs is { HasAbdomen: true } && Tail.Count > 0);
-        bool rollsOver = Legs != null && !SpreadWings.Of(Subject);
-        Add(ActNeeds.Flanks, rollsOver && LyingSide == LyingSide.Flank);
-        Add(ActNeeds.Back, rollsOver && LyingSide == LyingSide.Back && !Subject.HasHorns);
+        Add(ActNeeds.Flanks, Legs != null && LyingSide == LyingSide.Flank);
+        Add(ActNeeds.BareFlanks, Legs != null && LyingSide == LyingSide.Flank && !SpreadWings.Of(Subject));
+        Add(ActNeeds.Back, Legs != null && LyingSide == LyingSide.Back && !Subject.HasHorns);
         return has;
 
         void Add(ActNeeds part, bool there) => has |= there ? part : ActNeeds.None;

@@ -42,9 +42,12 @@ public enum ActNeeds
     /// <summary>The abdomen of an insect.</summary>
     Abdomen = 1024,
 
-    /// <summary>Flanks to lie on: a body on legs below it, without spread wings beside it.</summary>
+    /// <summary>Flanks to lie on: a body on legs below it.</summary>
     Flanks = 2048,
 
-    /// <summary>A back to lie on: a body with its legs out to the sides, without spread wings, and without horns that would dig into the ground.</summary>
+    /// <summary>A back to lie on: a body with its legs out to the sides, without horns that would dig into the ground.</summary>
     Back = 4096,
+
+    /// <summary>Flanks without wings folded onto them: who has such wings dies on them, and sleeps on its belly.</summary>
+    BareFlanks = 8192,
 }

@@ -38,8 +38,9 @@ internal static class BuildNames
             (ActNeeds.Lids, "lids that shut"),
             (ActNeeds.Sting, "sting"),
             (ActNeeds.Abdomen, "abdomen"),
-            (ActNeeds.Flanks, "flanks free of wings"),
+            (ActNeeds.Flanks, "flanks to lie on above its legs"),
             (ActNeeds.Back, "back to lie on between legs out to the sides"),
+            (ActNeeds.BareFlanks, "flanks free of wings"),
         };
         return string.Join(" and no ", names.Where(name => (parts & name.Part) != 0).Select(name => name.Name));
     }
