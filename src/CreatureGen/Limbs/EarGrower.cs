@@ -1,3 +1,4 @@
+using System;
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Bodies;
@@ -8,11 +9,18 @@ using CreatureGen.Rigging;
 
 namespace CreatureGen.Limbs;
 
-/// <summary>Grows a pair of leaf-shaped ears out of the head.</summary>
+/// <summary>Grows a pair of ears out of the head: leaves, each bent into a cup that opens ahead and to its side.</summary>
 internal static class EarGrower
 {
-    private static readonly float[] pointed = { 0.7f, 0.95f, 0.95f, 0.55f, 0.12f };
-    private static readonly float[] round = { 0.75f, 0.95f, 1f, 0.85f, 0.5f };
+    /// <summary>Radians by which the cup of an upright ear is turned out from straight ahead: its leaf is seen from the side, its cup from the front.</summary>
+    private const float TurnedOut = 0.68f;
+
+    /// <summary>How far the edges of the leaf stand before its middle, in half widths.</summary>
+    private const float Cup = 0.26f;
+
+    private static readonly float[] pointed = { 0.75f, 1.05f, 1.12f, 0.7f, 0.14f };
+    private static readonly float[] round = { 0.78f, 1.02f, 1.1f, 0.92f, 0.52f };
+    private static readonly float[] thickness = { 0.62f, 0.44f, 0.27f, 0.24f, 0.24f };
     private static readonly float[] reach = { 0f, 0.22f, 0.55f, 0.85f, 1f };
     private static readonly float[] sag = { 0f, 0f, 0.15f, 0.5f, 0.8f };
     private static readonly float[] sections = { 0f, 0.6f, 1f, 1.5f, 2f, 2.5f, 3f, 3.5f, 4f };
@@ -33,18 +41,20 @@ internal static class EarGrower
         {
             float outline = Scalar.Lerp(pointed[k], round[k], (float)ear.Roundness);
             joints[k] = socket.Centre + (direction * (length * reach[k])) - (Vector3.UnitY * ((float)ear.Droop * sag[k] * length));
-            radii[k] = new Vector2((width * (k == 0 ? 0.47f : k == 1 ? 0.34f : 0.24f) * outline) + 0.004f, width * outline);
+            radii[k] = new Vector2((width * thickness[k] * outline) + 0.004f, width * outline);
         }
 
+        Vector3 across = Vec.Normalize(Vec.Reject(socket.Around, direction), Vector3.UnitX);
         var address = new VertexAddress { Region = SurfaceRegion.Ear, Appendage = (short)index, Sign = 1 };
         var sweep = new LimbSweep
         {
             Joints = joints,
             Radii = radii,
             Sections = sections,
-            Across = socket.Around,
+            Across = Rotation.Rotate(AxisRotation.About(direction, TurnedOut * Math.Max(0f, direction.Y)), across),
             Blend = 0.2f,
             Groove = 1.5f,
+            Curl = Cup,
             Address = address,
         };
         SweepResult grown = sweep.Grow(surface, socket.Vertices);

@@ -105,6 +105,9 @@ internal sealed class LimbSweep
     /// <summary>Depth of a groove along α = 0 in fore radii, for the cup of an ear.</summary>
     public float Groove { get; set; }
 
+    /// <summary>How far the edges of a grooved section stand before its middle, in radii across: flat across, a blade is a line for who stands beside it.</summary>
+    public float Curl { get; set; }
+
     /// <summary>What points have to stay out of.</summary>
     public BodyKeepOut? KeepOut { get; set; }
 
@@ -180,7 +183,9 @@ internal sealed class LimbSweep
             Vector3 advance = Vec.Normalize(tangents[q] + tangents[q - 1], tangents[q]);
             float min = MinAdvance * (distance[q] - distance[q - 1]);
             float blend = Blend > 0f ? Scalar.Smooth(along[q] / Blend) : 1f;
-            float groove = Groove * radii[q].X * Scalar.Smooth((along[q] - 0.12f) * 4f) * (1f - Scalar.Smooth((along[q] - 0.75f) / 0.25f));
+            float opened = Scalar.Smooth((along[q] - 0.12f) * 4f) * (1f - Scalar.Smooth((along[q] - 0.75f) / 0.25f));
+            float groove = Groove * radii[q].X * opened;
+            float curl = Curl * radii[q].Y * opened;
             int[] current = new int[count];
             for (int k = 0; k < count; k++)
             {
@@ -192,6 +197,7 @@ internal sealed class LimbSweep
                     p -= fore * (cosine[k] * groove);
                 }
 
+                p += fore * (curl * ((sine[k] * sine[k]) - 0.5f));
                 p = Vec.Lerp(root[k] + (centres[q] - centres[0]), p, blend);
                 float need = min - Vec.Dot(p - surface.Positions[previous[k]], advance);
                 p += advance * Math.Max(need, 0f);
