@@ -40,6 +40,11 @@ internal sealed class LegPath
     private const float ToeTip = 0.65f;
     private const float ClawReach = 0.5f;
 
+    // How much less a leg in the air is laid back, and how much further it hangs, for each radian that it is turned ahead, and the most that it counts as turned.
+    private const float Trailing = 2.2f;
+    private const float Hanging = 0.9f;
+    private const float MostSpread = 0.32f;
+
     /// <summary>Radians. An insect's legs that are turned back further lie along its abdomen.</summary>
     private const double LaidBack = -0.65;
 
@@ -116,17 +121,19 @@ internal sealed class LegPath
             ahead = form.Sprawling ? new Vector3(0.25f, 0f, 0.97f) : Vector3.UnitZ;
         }
 
+        // Laid back alike, the legs of an insect in the air are the teeth of a comb: the foremost hang, the hindmost trail.
+        float trail = form.Arched && leg.Stance == LegStance.Hanging ? Scalar.Clamp((float)leg.Azimuth, -MostSpread, MostSpread) : 0f;
         var joints = new Vector3[form.Rows];
         for (int k = 0; k < form.Rows; k++)
         {
-            float down = form.Down[k];
+            float down = form.Down[k] * (form.Down[k] > 0f ? 1f + (Hanging * trail) : 1f);
             if (form.Arched && k is >= 1 and < 5)
             {
                 down *= (float)leg.KneeRise;
             }
 
             joints[k] = root
-                + (ahead * (form.Forward[k] * reach))
+                + (ahead * (form.Forward[k] * (1f - (Trailing * trail)) * reach))
                 - (Vector3.UnitY * (down * height))
                 + (outward * (form.Outward[k] * reach))
                 + (Vector3.UnitZ * ((float)leg.Shear * Scalar.Clamp(form.Down[k], 0f, 1f) * height));
@@ -147,9 +154,13 @@ internal sealed class LegPath
         return radii;
     }
 
-    /// <summary>What radii and offsets of a row are multiplied by.</summary>
-    private static float Girth(LegForm form, LegBlueprint leg, float thickness, int row) =>
-        thickness * (float)leg.Stoutness * (row >= 2 ? (float)leg.Slimness : 1f) * (row >= form.Rows - form.FootRows ? (float)leg.FootSize : 1f);
+    /// <summary>What radii and offsets of a row are multiplied by. A jointed leg that is stouter to carry its body is so in its femur most: as stout all along it is a hose.</summary>
+    private static float Girth(LegForm form, LegBlueprint leg, float thickness, int row)
+    {
+        float slimness = row < 2 ? 1f : (float)leg.Slimness;
+        slimness = form.Jointed && row >= form.KneeRow && slimness > 1f ? (float)Math.Sqrt(slimness) : slimness;
+        return thickness * (float)leg.Stoutness * slimness * (row >= form.Rows - form.FootRows ? (float)leg.FootSize : 1f);
+    }
 
     private static Vector3[] Offset(LegForm form, LegBlueprint leg, float thickness)
     {

@@ -15,14 +15,14 @@ internal static class InsectLeg
             Rows = new LegSection[]
             {
                 new() { Forward = 0, Down = 0, Outward = 0, ForeRadius = 1000, SideRadius = 1000 },
-                new() { Forward = 0, Down = -60, Outward = 300, ForeRadius = 720, SideRadius = 720 },
-                new() { Forward = 0, Down = -340, Outward = 720, ForeRadius = 620, SideRadius = 620 },
-                new() { Forward = 0, Down = -480, Outward = 1050, ForeRadius = 440, SideRadius = 440 },
-                new() { Forward = 0, Down = -380, Outward = 1220, ForeRadius = 380, SideRadius = 380 },
-                new() { Forward = 0, Down = 50, Outward = 1420, ForeRadius = 400, SideRadius = 400 },
+                new() { Forward = 0, Down = -60, Outward = 300, ForeRadius = 960, SideRadius = 900 },
+                new() { Forward = 0, Down = -340, Outward = 720, ForeRadius = 800, SideRadius = 740 },
+                new() { Forward = 0, Down = -480, Outward = 1050, ForeRadius = 500, SideRadius = 500 },
+                new() { Forward = 0, Down = -380, Outward = 1220, ForeRadius = 320, SideRadius = 320 },
+                new() { Forward = 0, Down = 50, Outward = 1420, ForeRadius = 340, SideRadius = 330 },
                 new() { Forward = 0, Down = 550, Outward = 1620, ForeRadius = 260, SideRadius = 260 },
                 new() { Forward = 0, Down = 930, Outward = 1780, ForeRadius = 180, SideRadius = 180 },
-                new() { Forward = 0, Down = 985, Outward = 1920, ForeRadius = 160, SideRadius = 160 },
+                new() { Forward = 0, Down = 985, Outward = 1920, ForeRadius = 160, SideRadius = 300 },
             },
         },
         build: new LegBuild(LimbPosture.Splayed)
@@ -71,14 +71,14 @@ internal static class InsectLeg
             Rows = new LegSection[]
             {
                 new() { Forward = 0, Down = 0, Outward = 0, ForeRadius = 1000, SideRadius = 1000 },
-                new() { Forward = -30, Down = -40, Outward = 300, ForeRadius = 720, SideRadius = 720 },
-                new() { Forward = -110, Down = -220, Outward = 660, ForeRadius = 620, SideRadius = 620 },
-                new() { Forward = -200, Down = -320, Outward = 930, ForeRadius = 440, SideRadius = 440 },
-                new() { Forward = -320, Down = -230, Outward = 1040, ForeRadius = 380, SideRadius = 380 },
-                new() { Forward = -580, Down = 110, Outward = 1100, ForeRadius = 400, SideRadius = 400 },
+                new() { Forward = -30, Down = -40, Outward = 300, ForeRadius = 960, SideRadius = 900 },
+                new() { Forward = -110, Down = -220, Outward = 660, ForeRadius = 800, SideRadius = 740 },
+                new() { Forward = -200, Down = -320, Outward = 930, ForeRadius = 500, SideRadius = 500 },
+                new() { Forward = -320, Down = -230, Outward = 1040, ForeRadius = 320, SideRadius = 320 },
+                new() { Forward = -580, Down = 110, Outward = 1100, ForeRadius = 340, SideRadius = 330 },
                 new() { Forward = -830, Down = 440, Outward = 1130, ForeRadius = 260, SideRadius = 260 },
                 new() { Forward = -1050, Down = 680, Outward = 1150, ForeRadius = 180, SideRadius = 180 },
-                new() { Forward = -1150, Down = 770, Outward = 1150, ForeRadius = 160, SideRadius = 160 },
+                new() { Forward = -1150, Down = 770, Outward = 1150, ForeRadius = 160, SideRadius = 300 },
             },
         },
     };

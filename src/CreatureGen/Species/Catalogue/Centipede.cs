@@ -6,7 +6,7 @@ namespace CreatureGen.Species.Catalogue;
 /// <summary>Centipedes.</summary>
 internal static class Centipede
 {
-    private static readonly LegRow row = new(First: 18, Last: 51, Segment: 9.7, Front: 0.35, Rear: -0.45);
+    private static readonly LegRow row = new(First: 18, Last: 51, Segment: 9.7, Front: 0.1, Rear: -0.45);
 
     /// <summary>All that is known of it.</summary>
     public static readonly SpeciesProfile Profile = InsectParts.Common with
@@ -39,7 +39,7 @@ internal static class Centipede
         WalkingPlans = new[] { new Weighted<BodyPlan>(BodyPlan.ManyLegged, 1) },
         Eye = (8.8, 6.2), EyeSize = 0.30,
         Annuli = new AnnuliBlueprint(17, 0.07),
-        Legs = new LegPreset { Sites = row.Sites(12), Row = row, Reach = (0.15, 0.18), Height = (0.05, 0.08), Thickness = 0.026, KneeRise = 0.7 },
+        Legs = new LegPreset { Sites = row.Sites(12), Row = row, Reach = (0.15, 0.18), Height = (0.05, 0.08), Thickness = 0.035, KneeRise = 0.7 },
         Parts = new[]
         {
             new PartSlot(new PartChoice(1, InsectParts.Part(InsectParts.Jaw(length: 0.15, radius: 0.034, sideward: 0.1, bendUp: 0, bendSide: -0.5), 0.8, 1.2))),
