@@ -14,6 +14,10 @@ internal sealed class BodySkin
 {
     private const int Half = BodyGrid.Segments / 2;
 
+    // How far the edges of a fan of feathers are below its middle, in its half widths, and the part of that by which the middle is raised.
+    private const double Arch = 0.34;
+    private const double Crest = 0.4;
+
     private static readonly float[] sine = Around(PortableMath.Sin);
     private static readonly float[] cosine = Around(PortableMath.Cos);
 
@@ -90,7 +94,7 @@ internal sealed class BodySkin
             for (int j = 0; j <= Half; j++)
             {
                 float along = i >= StationRing.TailFirst ? TailShift(shape, tail, tailStep, i, x[j], y[j]) : 0f;
-                float lift = 0f;
+                float lift = tail.Style == TailStyle.Feathers && i >= StationRing.TailFirst ? Camber(shape, tail, i, x[j]) : 0f;
                 if (wide)
                 {
                     along -= (float)(body.Disc.Sweep * PortableMath.Pow(x[j], 1.35));
@@ -211,6 +215,13 @@ internal sealed class BodySkin
 
                 return 0f;
         }
+    }
+
+    /// <summary>How far a point of a fan of feathers is above its plane, metres: flat, a fan is a stick from the side and a sawn log from behind.</summary>
+    private static float Camber(BodyShape shape, TailBlueprint tail, int ring, float x)
+    {
+        double across = Math.Min(1, Math.Abs(x) / Math.Max(shape.Width[ring], 0.01));
+        return (float)(Arch * tail.Size * Scalar.Smooth((ring - StationRing.TailFirst) / 8.0) * (Crest - (across * across)));
     }
 
     private static float[] Around(Func<double, double> function)
