@@ -49,6 +49,22 @@ internal static class HeadSampler
     private const double Bridge = 0.16;
     private const double Hollow = 0.14;
 
+    // A strange face ashore: how far the bridge of the nose rises, and how deep the planes beside it are, in radii of the section; without them a muzzle is a blank plate from the front.
+    private const double NoseBridge = 0.11;
+    private const double BesideNose = 0.1;
+
+    // How far the crown is above the eyes, in their radii, most that it rises for that, in radii of its section, and the part of it over eyes on top of the head.
+    private const double AboveEyes = 0.8;
+    private const double HighestCrown = 0.3;
+    private const double OfFrogs = 0.4;
+
+    /// <summary>How far the middle of the skull rises where it is as broad as a board and more: flat between the eyes it is a lid.</summary>
+    private const double Vault = 0.24;
+
+    // How far ahead eyes ashore are drawn to look, and by how much of what they lack.
+    private const double LooksAhead = 0.85;
+    private const double AheadShare = 0.7;
+
     /// <summary>Highest ridge of the brow on a strange head, relative to its section: a higher one is a corner of a box.</summary>
     private const double HighestBrow = 0.12;
 
@@ -99,7 +115,8 @@ internal static class HeadSampler
         RandomStream random = builder.Stream("face");
         double mood = random.Normal(0, 0.5) + species.Mood;
         double smile = Scalar.Clamp(random.Normal(0.25, 0.4) - (0.35 * mood), -0.7, 1);
-        return new HeadBlueprint(Bumps(builder, mood), species.MuzzleSquareness, Eyes(builder, mood), Mouth(builder, smile), species.Nostril, BeakSampler.Sample(builder));
+        EyeBlueprint eyes = Eyes(builder, mood);
+        return new HeadBlueprint(Bumps(builder, mood, eyes), species.MuzzleSquareness, eyes, Mouth(builder, smile), species.Nostril, BeakSampler.Sample(builder));
     }
 
     /// <summary>Adds ears to the creature.</summary>
@@ -130,7 +147,7 @@ internal static class HeadSampler
         }
     }
 
-    private static ValueList<HeadBump> Bumps(CreatureBuilder builder, double mood)
+    private static ValueList<HeadBump> Bumps(CreatureBuilder builder, double mood, EyeBlueprint eyes)
     {
         SpeciesProfile species = builder.Parents.Head;
         RandomStream random = builder.Stream("skull");
@@ -166,6 +183,11 @@ internal static class HeadSampler
             Add(6, 0, 3.2, 1.5, Bridge * board);
             Add(7, 3.2, 2.2, 1.3, -Hollow * board);
             Add(6.2, 7.6, 2, 1.3, -Hollow * board);
+            double ashore = builder.Kind == LocomotionKind.Swimming ? 0 : builder.Fitting;
+            Add(5.6, 0, 2.7, 1.1, NoseBridge * ashore);
+            Add(6.6, 2.9, 2, 1.2, -BesideNose * ashore);
+            Add(12, 0, 2.2, 4.2, ashore * Crown(builder.Shape, eyes));
+            Add(11, 0, 3, 3, ashore * Vault * Scalar.Smooth(Breadth(builder.Shape) - Level));
             Add(3, 8, 2.4, 16, -Math.Max(fitting, Mixed(builder)) * Scalar.Clamp(1 - (Muzzle / MuzzleBreadth(builder.Shape)), 0, DrawnIn));
         }
 
@@ -198,6 +220,15 @@ internal static class HeadSampler
         }
     }
 
+    /// <summary>How far the crown of the skull has to rise to be above the eyes, relative to its section: level with them it is sawn off from the front. Those of eyes on top of the head stay above it.</summary>
+    private static double Crown(BodyShape shape, EyeBlueprint eyes)
+    {
+        double height = PortableMath.Cos(eyes.Segment * PortableMath.Tau / BodyGrid.Segments);
+        double top = (shape.Top[StationRing.Brow] * height) + (eyes.Radius * (1 + AboveEyes - (eyes.Sink * height)));
+        double lacks = Math.Max(0, (top / shape.Top[StationRing.Cranium - 1]) - 1) * Scalar.Clamp(eyes.Segment - OnTop, OfFrogs, 1);
+        return HighestCrown * (1 - PortableMath.Exp(-lacks / HighestCrown));
+    }
+
     private static EyeBlueprint Eyes(CreatureBuilder builder, double mood)
     {
         SpeciesProfile species = builder.Parents.Head;
@@ -221,7 +252,15 @@ internal static class HeadSampler
         double upper = Scalar.Clamp(species.LidDegrees.Upper - (9 * mood), 34, 72);
         double sink = Math.Max(species.EyeSink, Scalar.Lerp(species.EyeSink, MixedSink, mixed));
         double segment = Math.Min(species.Eye.Segment, Scalar.Lerp(species.Eye.Segment, LowestEye, mixed));
-        return new EyeBlueprint(style, species.Eye.Ring, segment, radius, sink, species.EyeForward, Scalar.Radians(upper), Scalar.Radians(species.LidDegrees.Lower), 0.42 * mood);
+        return new EyeBlueprint(style, species.Eye.Ring, segment, radius, sink, Forward(builder), Scalar.Radians(upper), Scalar.Radians(species.LidDegrees.Lower), 0.42 * mood);
+    }
+
+    /// <summary>How far eyes look ahead: those of strange creatures ashore are seen from the front, where others are slits at the edge of a mask.</summary>
+    private static double Forward(CreatureBuilder builder)
+    {
+        SpeciesProfile species = builder.Parents.Head;
+        double ashore = builder.Kind == LocomotionKind.Swimming || species.Class == AnimalClass.Arthropod ? 0 : builder.Fitting;
+        return species.EyeForward + (AheadShare * ashore * Math.Max(0, LooksAhead - species.EyeForward));
     }
 
     /// <summary>How far the mouth is open where no ground is in its way, radians.</summary>
