@@ -37,7 +37,7 @@ internal static class TailFit
     // How far a bare tail behind legs under the body falls at least, and how far its tip bends back out, degrees: one that is held up is a spike from behind. A tail that balances a body on two legs falls less.
     private const double HungDegrees = 34;
     private const double TipDegrees = 22;
-    private const double BalancingDegrees = 17;
+    private const double BalancingDegrees = 12;
 
     /// <summary>Least that the last third of a bare tail falls behind the rump, degrees: one that bends up to the level has a round end for who is behind it.</summary>
     private const double TipFallDegrees = 16;
@@ -89,7 +89,7 @@ internal static class TailFit
 
     // How far a tail may come down for each unit that it goes back, one that balances a body on two legs, and one of an upright body: from the front they are a keel between the legs.
     private const double SteepestTail = 1.1;
-    private const double SteepestBalanced = 0.45;
+    private const double SteepestBalanced = 0.34;
     private const double SteepestOfUpright = 0.75;
 
     /// <summary>The same of one that flies: it may stand on two legs.</summary>
