@@ -4,5 +4,5 @@ namespace CreatureGen.Anatomy.Tails;
 internal static class StingerTail
 {
     /// <summary>Its form.</summary>
-    public static readonly TailTaper Form = new((0, 1, 1), (0.2, 0.7, 0.7), (0.45, 0.54, 0.54), (0.68, 0.4, 0.4), (0.8, 0.66, 0.66), (0.89, 0.55, 0.55), (1, 0.14, 0.14)) { Length = 1.2, Girth = 1.2, Curl = -99, Beads = 0.2 };
+    public static readonly TailTaper Form = new((0, 1, 1), (0.2, 0.7, 0.7), (0.45, 0.54, 0.54), (0.68, 0.38, 0.38), (0.8, 0.5, 0.5), (0.89, 0.42, 0.42), (1, 0.16, 0.16)) { Length = 1.2, Girth = 1.2, Curl = -99, Beads = 0.2 };
 }

@@ -20,8 +20,9 @@ internal static class FeatureSampler
     private const double Shortening = 0.85;
     private const int MaxCuts = 12;
 
-    // Length of a sting in half widths of the tail's tip, and at most relative to the tail: on the stub of a thick one it is a blade.
+    // Length of a sting and radius of its root in half widths of the tail's tip, which it goes on from, and its length at most relative to the tail: on the stub of a thick one it is a blade.
     private const double StingLength = 3.2;
+    private const double StingRoot = 0.8;
     private const double LongestSting = 0.22;
 
     /// <summary>Probability that what does not swim wears the lure of its family: there is nothing in the dark for it to draw.</summary>
@@ -128,7 +129,7 @@ internal static class FeatureSampler
             BodyShape s = builder.Shape;
             double tail = s.Arc[BodyGrid.Rings - 1] - s.Arc[StationRing.TorsoLast];
             double radius = Math.Min(s.Width[BodyGrid.Rings - 2], LongestSting * tail / StingLength);
-            builder.Features.Add(new FeatureBlueprint(FeatureKind.Horn, BodyGrid.Rings - 1, Segment: 0, Length: StingLength * radius, Radius: 0.5 * radius, Outward: 0.1, Upward: 0, Forward: -1, Sideward: 0, BendUp: 0, BendForward: 0, BendSide: 0, Flatness: 1, Taper: 1));
+            builder.Features.Add(new FeatureBlueprint(FeatureKind.Horn, BodyGrid.Rings - 1, Segment: 0, Length: StingLength * radius, Radius: StingRoot * radius, Outward: 0.1, Upward: 0, Forward: -1, Sideward: 0, BendUp: 0, BendForward: 0, BendSide: 0, Flatness: 1, Taper: 1));
         }
     }
 
