@@ -9,7 +9,9 @@ namespace CreatureGen.Appearance;
 /// <summary>What thin appendages wear: rays on fins, membranes and feathers on wings, dark tips on ears.</summary>
 internal sealed class BladeCoat
 {
-    private const int Rays = 9;
+    // Rays of a fin, and how dark the skin between them is.
+    private const int Rays = 11;
+    private const float BetweenRays = 0.5f;
 
     private readonly CoatPalette palette;
     private readonly CoatSubject subject;
@@ -39,7 +41,7 @@ internal sealed class BladeCoat
         switch (place.Region)
         {
             case SurfaceRegion.Fin:
-                float rays = 0.82f + (0.18f * (float)PortableMath.Cos(place.Chord * PortableMath.Tau * Rays));
+                float rays = 1f - (BetweenRays * 0.5f * (1f - (float)PortableMath.Cos(place.Chord * PortableMath.Tau * Rays)));
                 float margin = 1f - (0.2f * Scalar.Smooth((place.Along - 0.8f) / 0.2f));
                 float rooted = Scalar.Smooth(place.Along * 1.3f);
                 return Vec.Lerp(colour, finColour, 0.85f * rooted) * Scalar.Lerp(1f, rays * margin, Scalar.Smooth(place.Along * 4f));

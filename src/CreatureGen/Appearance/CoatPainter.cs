@@ -53,6 +53,9 @@ internal sealed class CoatPainter
     /// <summary>Linear RGB of the horn of a beak, pale enough to be seen in a dark face.</summary>
     public Vector3 BeakColour => head.BeakColour;
 
+    /// <summary>Whether the tail ends in a fin, which is skin between rays.</summary>
+    public bool HasTailFin => subject.Tail is TailStyle.Fork or TailStyle.Fan or TailStyle.Lance or TailStyle.Fluke || Anatomy.Tails.TailFin.Of(subject.Tail) != null;
+
     /// <summary>Paints all vertices of a surface.</summary>
     /// <param name="addresses">Where each vertex lies.</param>
     /// <param name="positions">Rest positions, metres at scale 1.</param>

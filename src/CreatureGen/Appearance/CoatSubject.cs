@@ -26,6 +26,9 @@ internal sealed class CoatSubject
     /// <summary>Marking of the head; <see cref="HeadMarks.FromSeed"/> chooses one.</summary>
     public HeadMark Mark { get; set; }
 
+    /// <summary>What is seen of its gills.</summary>
+    public GillMark Gills { get; set; }
+
     /// <summary>Hard cover over the back.</summary>
     public ShellBlueprint Shell { get; set; } = new(ShellStyle.None, 24, 20, 6, 0);
 

@@ -41,6 +41,9 @@ internal sealed class HeadCoat
     private const float LineShade = 0.3f;
     private const float PaleLineShade = 0.75f;
 
+    /// <summary>How much darker than the coat gills are.</summary>
+    private const float GillShade = 0.55f;
+
     /// <summary>How far back the leather of a nose may reach over its bridge, relative to the nostrils.</summary>
     private const double LeatherEnd = 0.9;
 
@@ -115,6 +118,7 @@ internal sealed class HeadCoat
 
         colour = tone?.Over(colour, place.Ring) ?? colour;
         colour = Vec.Lerp(colour, markColour, 0.9f * HeadMarks.At(subject.Mark, place.Ring, place.Around));
+        colour *= 1f - (GillShade * GillMarks.At(subject.Gills, place.Ring, place.Around));
         colour = EyeRing(colour, place);
         colour = Snout(colour, place);
         return subject.Lips is MouthLine lips ? Lips(colour, lips.DistanceOf(place)) : colour;

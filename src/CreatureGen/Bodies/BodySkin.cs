@@ -46,7 +46,7 @@ internal sealed class BodySkin
         Span<float> x = stackalloc float[Half + 1];
         Span<float> y = stackalloc float[Half + 1];
         Span<float> powers = stackalloc float[2 * (Half + 1)];
-        bool wide = body.Disc.Sweep != 0 || body.Disc.Curl != 0;
+        DiscSection? disc = body.Disc.Sweep != 0 || body.Disc.Curl != 0 ? new DiscSection(shape, body.Disc) : null;
         double topExponent = 0;
         double bottomExponent = 0;
         double tailStep = 0;
@@ -70,6 +70,7 @@ internal sealed class BodySkin
             {
                 x[j] = powers[2 * j] * (float)shape.Width[i];
                 y[j] = powers[(2 * j) + 1] * (float)(j < Half / 2 ? shape.Top[i] : shape.Bottom[i]);
+                y[j] = disc?.Height(i, x[j], y[j]) ?? y[j];
             }
 
             if (i < StationRing.TrunkFirst)
@@ -94,11 +95,11 @@ internal sealed class BodySkin
             for (int j = 0; j <= Half; j++)
             {
                 float along = i >= StationRing.TailFirst ? TailShift(shape, tail, tailStep, i, x[j], y[j]) : 0f;
-                float lift = tail.Style == TailStyle.Feathers && i >= StationRing.TailFirst ? Camber(shape, tail, i, x[j]) : 0f;
-                if (wide)
+                float lift = i >= StationRing.TailFirst ? Camber(shape, tail, i, x[j]) : 0f;
+                if (disc != null)
                 {
-                    along -= (float)(body.Disc.Sweep * PortableMath.Pow(x[j], 1.35));
-                    lift = (float)(body.Disc.Curl * PortableMath.Pow(x[j], 1.8));
+                    along += disc.Along(x[j]);
+                    lift = disc.Lift(i, x[j]);
                 }
 
                 Vector3 p = centre + (up * (y[j] + lift)) + (forward * along);
@@ -217,11 +218,16 @@ internal sealed class BodySkin
         }
     }
 
-    /// <summary>How far a point of a fan of feathers is above its plane, metres: flat, a fan is a stick from the side and a sawn log from behind.</summary>
+    /// <summary>How far a point of a tail's blade is above its plane, metres: flat, a fan or a fluke is a stick from the side and a sawn log from behind.</summary>
     private static float Camber(BodyShape shape, TailBlueprint tail, int ring, float x)
     {
         double across = Math.Min(1, Math.Abs(x) / Math.Max(shape.Width[ring], 0.01));
-        return (float)(Arch * tail.Size * Scalar.Smooth((ring - StationRing.TailFirst) / 8.0) * (Crest - (across * across)));
+        return tail.Style switch
+        {
+            TailStyle.Feathers => (float)(Arch * tail.Size * Scalar.Smooth((ring - StationRing.TailFirst) / 8.0) * (Crest - (across * across))),
+            TailStyle.Fluke => (float)(tail.Size * Scalar.Smooth((ring - StationRing.TailFirst) / 7.0) * FlukeTail.RiseAt(across)),
+            _ => 0f,
+        };
     }
 
     private static float[] Around(Func<double, double> function)

@@ -30,6 +30,7 @@ internal static class CoatSubjects
             Beak = blueprint.Head.Beak is BeakBlueprint beak ? BeakForm.Of(beak.Style) : null,
             Lips = blueprint.Head.Beak == null && grown.Mouth.Opens ? LipsOf(grown) : null,
             Mark = face.Class == AnimalClass.Arthropod ? HeadMark.None : HeadMarks.FromSeed(blueprint.Coat.PatternSeed),
+            Gills = GillsOf(blueprint),
             Shell = blueprint.Body.Shell,
             Manes = blueprint.Manes,
             Tail = blueprint.Tail.Style,
@@ -37,6 +38,17 @@ internal static class CoatSubjects
             EyeCentre = eye.Centre,
             EyeRadius = eye.Radius,
         };
+    }
+
+    /// <summary>Gills of fish that swim, by the body that gives most of the trunk.</summary>
+    private static GillMark GillsOf(CreatureBlueprint blueprint)
+    {
+        SpeciesProfile trunk = SpeciesCatalogue.Find(blueprint.Body.Blend.First);
+        bool fish = trunk.Class == AnimalClass.Fish && (blueprint.Plan == BodyPlan.Fish || (blueprint.Kind == LocomotionKind.Swimming && blueprint.Body.Disc.Sweep != 0));
+        return !fish ? GillMark.None
+            : blueprint.Body.Disc.Sweep != 0 ? GillMark.DiscSlits
+            : trunk.Cover == SkinCover.Scales ? GillMark.Cover
+            : GillMark.Slits;
     }
 
     private static MouthLine LipsOf(GrownSurface grown)

@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Anatomy.Fins;
@@ -20,9 +21,13 @@ internal static class MidlineFinGrower
     private const float Lift = 0.012f;
 
     // Thickness in that of the base: where the fin leaves the skin, what of it is flesh above that and thins out evenly, and what is left at the edge. A thinner one is a sheet of paper from behind.
-    private const float Foot = 0.86f;
-    private const float FleshyPart = 0.76f;
+    private const float Foot = 1f;
+    private const float FleshyPart = 0.92f;
     private const float Edge = 0.06f;
+
+    // Half thickness of a fin above its foot in its height at least, and most that it bulges over the socket for it: a high fin on a narrow back is a needle from the front.
+    private const float Stout = 0.1f;
+    private const float MostStout = 1.5f;
 
     /// <summary>Thickness of the first and last row, and of the skin between two rays, in that of the rays between.</summary>
     private const double Ends = 0.4;
@@ -78,11 +83,12 @@ internal static class MidlineFinGrower
         int chart = surface.NewChart();
         float length = Vec.Distance(midline[0], midline[rows]);
         float reach = Math.Min(1f, Stem + (Rake * height / length));
+        float stout = Scalar.Clamp(Stout * height / Math.Max(Array.ConvertAll(socket.Points, p => p.X).Max(), 1e-3f), 1f, MostStout);
         int[] previous = socket.Vertices;
         float before = 0f;
         foreach (float s in sections)
         {
-            float thickness = s < 0.1f ? Foot : (FleshyPart * (float)PortableMath.Pow(1 - s, 1.1)) + Edge;
+            float thickness = s < 0.1f ? Foot : (FleshyPart * (float)PortableMath.Pow(1 - s, 0.9)) + Edge;
             int[] current = new int[count];
             for (int k = 0; k < count; k++)
             {
@@ -102,7 +108,7 @@ internal static class MidlineFinGrower
                     p = midline[r] + (up[r] * (h + (Lift * Scalar.Smooth(s / 0.12f)))) - (ahead[r] * (h * shear));
                 }
 
-                p.X = socket.Points[k].X * thickness * Section(r, u, s);
+                p.X = socket.Points[k].X * thickness * Scalar.Lerp(1f, stout, Scalar.Smooth(s / 0.2f)) * Section(r, u, s);
                 VertexAddress address = surface.Addresses[socket.Vertices[k]];
                 address.Region = SurfaceRegion.Fin;
                 address.Appendage = (short)index;

@@ -16,22 +16,23 @@ internal static class PectoralGrower
     /// <summary>Share of the length over which a fin goes over from its socket to its outline, fast at first: where it comes into it late, its edges have a corner there, and a stalk before it.</summary>
     private const float Rooted = 0.5f;
 
-    /// <summary>Share of the length from which on the edges draw together in half an ellipse, so that no tip is cut off straight, and what is left of the chord at its end.</summary>
-    private const float RoundedFrom = 0.55f;
-    private const float Tip = 0.1f;
+    // Share of the length from which on the edges draw together, so that no tip is cut off straight, how pointed: 0.5 is half an ellipse, with which a fin is a spoon; and what is left of the chord at its end.
+    private const float RoundedFrom = 0.4f;
+    private const double Pointed = 0.8;
+    private const float Tip = 0.06f;
 
     /// <summary>Where along the chord they meet: near the leading edge, or the corner behind the tip of a swept fin would be cut off straight.</summary>
     private const float TipChord = 0.3f;
 
     // Half thickness of a fin at its root in lengths, where along the chord it is thickest, how much thinner it is at its tip, and where along the fin it begins to run out: with a thick end the tip is sawn off.
-    private const float Thickness = 0.073f;
+    private const float Thickness = 0.066f;
     private const float Thickest = 0.3f;
-    private const float Thinning = 0.7f;
-    private const float RunsOutFrom = 0.6f;
+    private const float Thinning = 0.85f;
+    private const float RunsOutFrom = 0.5f;
     private const float Thinnest = 0.12f;
 
     // Rise of the trailing edge for each unit that it lies behind the leading one: of a fin on the flank, turned as in gliding, and of one under the body, which keeps off it. Falling with the axis, a blade on the flank would be a rod from the side; rising no more than the eye looks down, one from behind.
-    private const float Pronation = 0.4f;
+    private const float Pronation = 0.5f;
     private const float UnderBody = -0.35f;
 
     // How far skin faces down from which on, and over which, a fin is one under the body.
@@ -90,7 +91,7 @@ internal static class PectoralGrower
         float Rounded(float s)
         {
             float x = Math.Max(0f, (s - RoundedFrom) / (1f - RoundedFrom));
-            return Math.Max(Tip, (float)Math.Sqrt(1f - (x * x)));
+            return Math.Max(Tip, (float)PortableMath.Pow(1f - (x * x), Pointed));
         }
 
         float Stretch(FlankFin outline) => width / (float)outline.Depth;
@@ -140,7 +141,7 @@ internal static class PectoralGrower
     }
 
     /// <summary>Thickness over the chord, relative to the greatest: drawn out behind.</summary>
-    private static float Foil(float u) => u < Thickest ? 1f : 1f - (0.85f * Scalar.Smooth((u - 0.2f) / 0.6f));
+    private static float Foil(float u) => u < Thickest ? 1f : 1f - (0.9f * Scalar.Smooth((u - 0.2f) / 0.5f));
 
     /// <summary>Thickness along the fin, relative to one that does not run out.</summary>
     private static float RunningOut(float s)

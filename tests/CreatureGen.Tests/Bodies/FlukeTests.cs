@@ -42,6 +42,28 @@ public sealed class FlukeTests
         Assert.True(flukes > 3);
     }
 
+    /// <summary>Least that the tips of a fluke are above its middle, in half of its span: a level one is a thread from the side.</summary>
+    private const double Bent = 0.15;
+
+    [Fact]
+    public void The_tips_of_a_fluke_are_bent_up()
+    {
+        int flukes = 0;
+        for (ulong seed = 10440001; seed <= 10440150; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, LocomotionKind.Swimming);
+            if (creature.Tail.Style == TailStyle.Fluke)
+            {
+                BodySkin skin = BodySkin.Span(BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail), creature);
+                float bent = System.Numerics.Vector3.Dot(skin[Last, BodyGrid.Segments / 4] - skin.Shape.Centre(Last), skin.Shape.Up(Last));
+                Assert.True(bent > Bent * creature.Tail.Size, FormattableString.Invariant($"{seed}: tips {bent / creature.Tail.Size:0.00} half spans above the middle"));
+                flukes++;
+            }
+        }
+
+        Assert.True(flukes > 3);
+    }
+
     [Fact]
     public void The_rear_edge_of_a_fluke_is_full_beside_its_notch_and_hollow_before_its_tips()
     {

@@ -5,8 +5,8 @@ internal static class CarpFin
 {
     /// <summary>Its outline on the flank.</summary>
     public static readonly FlankFin Flank = new(
-        new[] { -0.15, -0.21, -0.24, -0.24, -0.18, -0.08, 0.03, 0.14 },
-        new[] { 0.15, 0.27, 0.36, 0.44, 0.46, 0.42, 0.34, 0.22 });
+        new[] { -0.17, -0.22, -0.23, -0.19, -0.1, 0.0, 0.1, 0.18 },
+        new[] { 0.2, 0.34, 0.42, 0.45, 0.42, 0.36, 0.3, 0.23 });
 
     /// <summary>Its outline on the midline.</summary>
     public static readonly MidlineFin Midline = new(

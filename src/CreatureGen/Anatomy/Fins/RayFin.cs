@@ -5,8 +5,8 @@ internal static class RayFin
 {
     /// <summary>Its outline on the flank.</summary>
     public static readonly FlankFin Flank = new(
-        new[] { -0.26, -0.32, -0.32, -0.23, -0.07, 0.07, 0.19, 0.28 },
-        new[] { 0.26, 0.36, 0.43, 0.47, 0.46, 0.42, 0.37, 0.31 });
+        new[] { -0.26, -0.29, -0.27, -0.18, -0.04, 0.08, 0.19, 0.28 },
+        new[] { 0.3, 0.4, 0.45, 0.47, 0.45, 0.41, 0.36, 0.31 });
 
     /// <summary>Its outline on the midline.</summary>
     public static readonly MidlineFin Midline = new(

@@ -14,6 +14,7 @@ internal sealed class TexturePainter
     private readonly AtlasPictures pictures;
     private readonly CoarseColours? coarse;
     private readonly RowBand rows;
+    private readonly bool finned;
 
     /// <summary>A painter.</summary>
     /// <param name="coat">The coat.</param>
@@ -24,6 +25,7 @@ internal sealed class TexturePainter
     public TexturePainter(CoatPainter coat, SkinRelief relief, AtlasPictures pictures, CoarseColours? coarse, RowBand rows)
     {
         this.coat = new CoatBetween(coat);
+        finned = coat.HasTailFin;
         this.relief = relief;
         this.pictures = pictures;
         this.coarse = coarse;
@@ -79,7 +81,8 @@ internal sealed class TexturePainter
     private static float Covered(SurfaceRegion region) => region switch
     {
         SurfaceRegion.Body or SurfaceRegion.Leg => 1f,
-        SurfaceRegion.Wing or SurfaceRegion.Fin => 0.35f,
+        SurfaceRegion.Wing => 0.35f,
+        SurfaceRegion.Fin => 0.1f,
         SurfaceRegion.Ear => 0.5f,
         SurfaceRegion.Toe => 0.5f,
         _ => 0.15f,
@@ -87,6 +90,9 @@ internal sealed class TexturePainter
 
     /// <summary>Nose and tip of the muzzle are bare: the rings of the chart run together there.</summary>
     private static float Muzzle(float ring, short appendage) => appendage >= 0 ? 1f : Scalar.Smooth((ring - 1.5f) / 7f);
+
+    /// <summary>A fin at the end of the tail is as bare as all fins.</summary>
+    private float TailFin(float ring, short appendage) => finned && appendage < 0 ? 1f - (0.8f * Scalar.Smooth((ring - 47.5f) / 2.5f)) : 1f;
 
     private float Roughness(SurfaceRegion region) => region switch
     {
@@ -168,7 +174,7 @@ internal sealed class TexturePainter
             }
 
             float ring = weights.Mix(a.PositionAndRing.W, b.PositionAndRing.W, c.PositionAndRing.W);
-            float cover = weights.Mix(covered.X, covered.Y, covered.Z) * Muzzle(ring, appendage);
+            float cover = weights.Mix(covered.X, covered.Y, covered.Z) * Muzzle(ring, appendage) * painter.TailFin(ring, appendage);
             Vector4 chart = weights.Mix(a.ChartAndTurns, b.ChartAndTurns, c.ChartAndTurns);
             SkinRelief relief = painter.relief;
             float height = relief.At(new Vector2(chart.X, chart.Y));

@@ -65,6 +65,12 @@ internal static class HeadSampler
     private const double LooksAhead = 0.85;
     private const double AheadShare = 0.7;
 
+    /// <summary>The part of that on a swimmer's head that is no board: what comes head first is seen over its nose, and without a bridge that is a blank plate.</summary>
+    private const double LeastBridge = 0.55;
+
+    /// <summary>How far the eyes of a mixed swimmer look ahead at least: those that look aside are slits at the edge of a face without eyes.</summary>
+    private const double Ahead = 0.5;
+
     /// <summary>Highest ridge of the brow on a strange head, relative to its section: a higher one is a corner of a box.</summary>
     private const double HighestBrow = 0.12;
 
@@ -83,6 +89,10 @@ internal static class HeadSampler
     // Broadest front of a muzzle against its head of what swims, or has the head of another body, and most that it is drawn in by: what comes head first is seen over its muzzle, and a broader one is all of its face.
     private const double Muzzle = 0.58;
     private const double DrawnIn = 0.3;
+
+    // The same in the water, where the lens is before the nose.
+    private const double MuzzleInWater = 0.5;
+    private const double DrawnInWater = 0.38;
 
     /// <summary>Mean of half the width and half the height of a head at the eyes, metres.</summary>
     public static double HalfHeight(BodyShape shape) => 0.5 * (shape.Width[StationRing.Brow] + (0.5 * (shape.Top[StationRing.Brow] + shape.Bottom[StationRing.Brow])));
@@ -179,7 +189,7 @@ internal static class HeadSampler
         if (species.Snout != SnoutKind.Beak && species.Class != AnimalClass.Arthropod)
         {
             // Between its eyes a broad head is a board without a bridge of the nose, hollows beside it, and cheekbones.
-            double board = Math.Max(fitting, Mixed(builder)) * flat;
+            double board = Math.Max(fitting * Math.Max(flat, LeastBridge), Mixed(builder) * flat);
             Add(6, 0, 3.2, 1.5, Bridge * board);
             Add(7, 3.2, 2.2, 1.3, -Hollow * board);
             Add(6.2, 7.6, 2, 1.3, -Hollow * board);
@@ -188,7 +198,8 @@ internal static class HeadSampler
             Add(6.6, 2.9, 2, 1.2, -BesideNose * ashore);
             Add(12, 0, 2.2, 4.2, ashore * Crown(builder.Shape, eyes));
             Add(11, 0, 3, 3, ashore * Vault * Scalar.Smooth(Breadth(builder.Shape) - Level));
-            Add(3, 8, 2.4, 16, -Math.Max(fitting, Mixed(builder)) * Scalar.Clamp(1 - (Muzzle / MuzzleBreadth(builder.Shape)), 0, DrawnIn));
+            (double broadest, double drawnIn) = builder.Kind == LocomotionKind.Swimming ? (MuzzleInWater, DrawnInWater) : (Muzzle, DrawnIn);
+            Add(3, 8, 2.4, 16, -Math.Max(fitting, Mixed(builder)) * Scalar.Clamp(1 - (broadest / MuzzleBreadth(builder.Shape)), 0, drawnIn));
         }
 
         if (species.Snout == SnoutKind.Beak)
@@ -255,11 +266,16 @@ internal static class HeadSampler
         return new EyeBlueprint(style, species.Eye.Ring, segment, radius, sink, Forward(builder), Scalar.Radians(upper), Scalar.Radians(species.LidDegrees.Lower), 0.42 * mood);
     }
 
-    /// <summary>How far eyes look ahead: those of strange creatures ashore are seen from the front, where others are slits at the edge of a mask.</summary>
+    /// <summary>How far eyes look ahead: those of strange creatures are seen from the front, where others are slits at the edge of a mask.</summary>
     private static double Forward(CreatureBuilder builder)
     {
         SpeciesProfile species = builder.Parents.Head;
-        double ashore = builder.Kind == LocomotionKind.Swimming || species.Class == AnimalClass.Arthropod ? 0 : builder.Fitting;
+        if (builder.Kind == LocomotionKind.Swimming)
+        {
+            return Scalar.Lerp(species.EyeForward, Math.Max(species.EyeForward, Ahead), builder.Fitting);
+        }
+
+        double ashore = species.Class == AnimalClass.Arthropod ? 0 : builder.Fitting;
         return species.EyeForward + (AheadShare * ashore * Math.Max(0, LooksAhead - species.EyeForward));
     }
 

@@ -38,11 +38,17 @@ internal static class FinSampler
     private const double FlattestDrop = 0.3;
     private const double SteepestDrop = 1.1;
 
-    /// <summary>Most that the paired fins of a strange swimmer hang down for each unit that their axis is swept back: steeper ones are legs from the side.</summary>
-    private const double SteepestFall = 0.35;
+    // How far the paired fins of a strange swimmer hang down, for each unit that they stand out: level ones are edges from the front and behind, steep ones legs from the side; and the hang of an animal's that makes them steepest.
+    private const double LeastFall = 0.4;
+    private const double SteepestFall = 0.75;
+    private const double FullHang = 0.6;
 
-    /// <summary>First segment of sockets so far under the belly that a flat fin would go into the flank above it.</summary>
-    private const int UnderBelly = 11;
+    /// <summary>Longest paired fin of a fish in lengths of its body, and how much of what is longer is left: fins of half a body are arms.</summary>
+    private const double LongestOnFish = 0.2;
+    private const double Beyond = 0.25;
+
+    /// <summary>Highest half of an upright tail fin in half heights of the body: edge on, a higher one is a needle.</summary>
+    private const double HighestTail = 1.05;
 
     /// <summary>How far the paired fins of a mixed swimmer are swept otherwise than those of its species, and from where to where: with the same flippers seals of any body are twins from above.</summary>
     private const double OtherSweep = 0.5;
@@ -110,11 +116,11 @@ internal static class FinSampler
                     _ => front ? (0.34, 0.55) : (0.2, 0.55),
                 };
                 double slender = FlankFin.Of(fin.Style) is FlankFin form ? form.Depth / PaddleWidth : 1;
-                double drawn = size * length * LengthOf(fin.Style) * fin.Scale.X;
+                double drawn = Shortened(builder, size * length * LengthOf(fin.Style) * fin.Scale.X);
                 double shorter = Scalar.Lerp(1, Math.Min(1, MaxPairLength / drawn), builder.Fitting);
                 double depth = Math.Min(MaxWidth, width * slender * fin.Scale.Z / shorter);
                 depth = DepthOf(builder, depth, shorter * drawn, fin.Style);
-                builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, fin.Socket, shorter * drawn, depth, DropOf(builder, hang, sweep, fin.Style, fin.Socket), sweep));
+                builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, fin.Socket, shorter * drawn, depth, DropOf(builder, hang), sweep));
             }
             else
             {
@@ -143,7 +149,7 @@ internal static class FinSampler
             TailStyle.Fluke => 0.34 * placement.Tail.Scale.X,
             _ => 0,
         };
-        builder.Tail = new TailBlueprint(placement.Tail.Style, Stature.Fin(builder, TailFin) * spread, fork);
+        builder.Tail = new TailBlueprint(placement.Tail.Style, Lowered(builder, placement.Tail.Style, Stature.Fin(builder, TailFin) * spread), fork);
         TailFit.Sink(builder);
         builder.Shape = StanceSampler.ShapeOf(builder);
     }
@@ -172,6 +178,7 @@ internal static class FinSampler
         foreach (FinSitePreset fin in preset.Fins)
         {
             double length = CreatureBuilder.Between(random, fin.Length) * Stature.Fin(builder, builder.Fins.Count);
+            length = fin.Place == FinPlace.Pectoral ? Shortened(builder, length) : length;
             double width = CreatureBuilder.Between(random, fin.Width);
             double sweep = fin.Place == FinPlace.Pectoral ? Scalar.Clamp(fin.Sweep + back, Math.Min(fin.Sweep, LeastSweep), Math.Max(fin.Sweep, MostSweep)) : fin.Sweep;
             SocketBlueprint socket = fin.Place switch
@@ -185,11 +192,11 @@ internal static class FinSampler
             bool crowded = builder.Legs.Count > 0 && (!builder.Sockets.IsFree(socket, 0) || (fin.Place == FinPlace.Pectoral && IsBesideLeg(builder, socket)));
             if (!crowded && builder.Sockets.TryReserve(socket, 0))
             {
-                builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, socket, length, fin.Place == FinPlace.Pectoral ? DepthOf(builder, width, length, fin.Style) : 0, DropOf(builder, fin.Drop, sweep, fin.Style, socket), sweep));
+                builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, socket, length, fin.Place == FinPlace.Pectoral ? DepthOf(builder, width, length, fin.Style) : 0, DropOf(builder, fin.Drop), sweep));
             }
         }
 
-        builder.Tail = new TailBlueprint(preset.Tail, CreatureBuilder.Between(random, preset.TailSize) * Stature.Fin(builder, TailFin), CreatureBuilder.Between(random, preset.TailFork), preset.TailLobe);
+        builder.Tail = new TailBlueprint(preset.Tail, Lowered(builder, preset.Tail, CreatureBuilder.Between(random, preset.TailSize) * Stature.Fin(builder, TailFin)), CreatureBuilder.Between(random, preset.TailFork), preset.TailLobe);
         TailFit.Sink(builder);
         builder.Shape = StanceSampler.ShapeOf(builder);
     }
@@ -210,12 +217,37 @@ internal static class FinSampler
     private static double DepthOf(CreatureBuilder builder, double drawn, double length, FinStyle style) =>
         Scalar.Lerp(drawn, Math.Min(Math.Min(drawn, MaxPairDepth / length), style == FinStyle.Paddle ? MaxPaddle : MaxWidth), builder.Fitting);
 
-    /// <summary>How far paired fins hang down that hang so far on an animal.</summary>
-    private static double DropOf(CreatureBuilder builder, double hang, double sweep, FinStyle style, SocketBlueprint socket)
+    /// <summary>The length of a paired fin in proportion to the body of a fish.</summary>
+    private static double Shortened(CreatureBuilder builder, double length)
     {
-        double axis = socket.Segment < UnderBelly ? FlankFin.AxisSweep(style) : 1;
+        double longest = LongestOnFish * builder.Shape.Arc[StationRing.TailFirst];
+        bool shortens = builder.Plan == BodyPlan.Fish && builder.Species.Disc.Sweep == 0 && length > longest;
+        return shortens ? Scalar.Lerp(length, longest + (Beyond * (length - longest)), builder.Fitting) : length;
+    }
+
+    /// <summary>The size of a tail fin in proportion to the height of the body; flukes lie level.</summary>
+    private static double Lowered(CreatureBuilder builder, TailStyle style, double size)
+    {
+        double half = 0;
+        for (int i = StationRing.TrunkFirst; i < StationRing.TailFirst; i++)
+        {
+            half = Math.Max(half, 0.5 * (builder.Shape.Top[i] + builder.Shape.Bottom[i]));
+        }
+
+        double highest = HighestTail * half;
+        return style is TailStyle.Fluke or TailStyle.Plain || size < highest ? size : Scalar.Lerp(size, highest + (Beyond * (size - highest)), builder.Fitting);
+    }
+
+    /// <summary>How far paired fins hang down that hang so far on an animal.</summary>
+    private static double DropOf(CreatureBuilder builder, double hang)
+    {
         double drop = hang * Scalar.Lerp(1, builder.Stream("fin drop").Uniform(FlattestDrop, SteepestDrop), builder.Strangeness);
-        return Scalar.Lerp(drop, Math.Min(drop, SteepestFall * axis * sweep), builder.Fitting);
+        if (builder.Species.Disc.Sweep != 0)
+        {
+            return drop;
+        }
+
+        return Scalar.Lerp(drop, Scalar.Lerp(LeastFall, SteepestFall, Scalar.Clamp(drop / FullHang, 0, 1)), builder.Fitting);
     }
 
     private static double SweepOf(FinStyle style) => style switch { FinStyle.Sail or FinStyle.Ray => 0.35, FinStyle.Shark => 0.9, _ => 0.6 };

@@ -26,6 +26,14 @@ internal static class BodySampler
     /// <summary>Degrees by which the raised neck of a mixed mammal is laid down in the water: its withers would be a corner of the back.</summary>
     private const double LaidNeck = 14;
 
+    // Degrees by which the tail of a swimmer rises and falls from its back.
+    private const double RisingTail = -5;
+    private const double FallingTail = 11;
+
+    /// <summary>How far the edges of a ray are bent at least, metres at one metre from the midline, and by how much a level one is: level, it is a spindle from the side.</summary>
+    private const double LeastCurl = 0.38;
+    private const double Level = 0.06;
+
     /// <summary>Fills in all of the creature that does not depend on how the creature stands.</summary>
     public static void Sample(CreatureBuilder builder)
     {
@@ -55,7 +63,8 @@ internal static class BodySampler
     private static DiscBlueprint Disc(CreatureBuilder builder)
     {
         (double sweep, double min, double max) = builder.Species.Disc;
-        return new DiscBlueprint(sweep, min == max ? min : builder.Stream("disc").Uniform(min, max));
+        double curl = min == max ? min : builder.Stream("disc").Uniform(min, max);
+        return new DiscBlueprint(sweep, curl + (Scalar.Clamp(curl / Level, -1, 1) * LeastCurl));
     }
 
     /// <summary>The parents in their shares; the head and the tail rather of those that give them.</summary>
@@ -280,12 +289,16 @@ internal static class BodySampler
             tail /= 5;
             neckBend = 0;
             tailBend = 0;
+            tail -= Arch(builder);
             neck -= builder.Species.SwimmingNeckDrop + (builder.Species.Class == AnimalClass.Mammal ? LaidNeck * builder.Fitting : 0);
             head = builder.Species.SwimmingHead ?? head;
         }
 
         return new BodyPosture(Scalar.Radians(head), Scalar.Radians(neck), Scalar.Radians(torso), Scalar.Radians(tail), Scalar.Radians(trunk), Scalar.Radians(neckBend), Scalar.Radians(tailBend));
     }
+
+    /// <summary>Degrees by which the tail of a mixed swimmer falls from the line of its back, or rises: straight ones are of one piece.</summary>
+    private static double Arch(CreatureBuilder builder) => builder.Species.Disc.Sweep != 0 ? 0 : builder.Fitting * builder.Stream("arch of a swimmer").Uniform(RisingTail, FallingTail);
 
     /// <summary>Degrees by which the upright trunk of a bird is laid down to fly, and its tail: by the shares of the birds in it, for what others give to it is level already, and would hang head first.</summary>
     private static (double Torso, double Tail) FlightPitch(CreatureBuilder builder)

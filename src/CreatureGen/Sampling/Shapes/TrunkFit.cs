@@ -4,6 +4,7 @@ using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
 using CreatureGen.Maths;
+using CreatureGen.Seeding;
 using CreatureGen.Species;
 
 namespace CreatureGen.Sampling.Shapes;
@@ -106,6 +107,9 @@ internal static class TrunkFit
     private const double Stem = 0.42;
     private const double MaxRoot = 1.3;
     private const double MinRoot = 0.7;
+
+    /// <summary>By how much the chest, the belly, the hips and the stem of the tail of swimmers differ, as powers of e to both sides: fitted to one line all whales and eels have the same back and belly.</summary>
+    private const double Figure = 0.2;
 
     // Broadest trunk against its depth that legs under the body carry without looking like those of a table, and what of the excess the depth and the breadth give way by.
     private const double Broad = 1.25;
@@ -218,6 +222,7 @@ internal static class TrunkFit
     /// <summary>The proportions of a swimmer that thins out behind its belly instead of ending like a sack with a tail tied to it.</summary>
     private static BodyProportions Streamlined(CreatureBuilder builder, BodyProportions drawn)
     {
+        double strange = builder.Fitting;
         BodyShape shape = StanceSampler.ShapeOf(builder);
         TrunkOutline outline = TrunkOutline.Of(shape);
         double deep = Math.Max(1, outline.Depth / (outline.Length * (builder.Plan == BodyPlan.Eel ? DeepestWinding : DeepestSwimmer)));
@@ -233,24 +238,29 @@ internal static class TrunkFit
             _ => (Flattest, FlatDeepened, FlatNarrowed),
         };
         double flat = armoured ? 1 : Math.Max(1, outline.Breadth / flattest);
+        RandomStream figure = builder.Stream("figure of a swimmer");
+        double chest = Drawn();
+        double paunch = Drawn();
+        double stock = Drawn();
         double belly = Size(shape, StationRing.Belly);
         double hips = Size(shape, StationRing.Pelvis);
-        double thin = Math.Min(1, Hips * belly / hips);
+        double thin = Math.Min(1, Hips * stock * belly / hips);
         double root = Size(shape, StationRing.TailStem);
-        double wanted = Math.Max(Root * thin * hips, Math.Min(Stem * belly, root));
-        double strange = builder.Fitting;
+        double wanted = Math.Max(Root * thin * hips, Math.Min(Stem * stock * belly, root));
         return drawn with
         {
             Depth = drawn.Depth * PortableMath.Pow(deep, -Shallower * strange) * PortableMath.Pow(edge, -EdgeShallower * strange) * PortableMath.Pow(flat, deepened * strange),
             Width = drawn.Width * PortableMath.Pow(edge, EdgeBroader * strange) * PortableMath.Pow(flat, -narrowed * strange),
             Hump = drawn.Hump * PortableMath.Pow(corner, ShoulderRises * strange),
             Girth = drawn.Girth * PortableMath.Pow(deep, (Shallower - 1) * strange) * PortableMath.Pow(step, -BellyGives * strange),
-            Chest = drawn.Chest * PortableMath.Pow(step, -ChestGives * strange),
+            Chest = drawn.Chest * PortableMath.Pow(step, -ChestGives * strange) * chest,
             NeckGirth = drawn.NeckGirth * PortableMath.Pow(step, NeckGrows * strange) * PortableMath.Pow(hollow, HollowFilled * strange),
-            Belly = drawn.Belly * PortableMath.Pow(thin, BellyFollows * strange),
+            Belly = drawn.Belly * PortableMath.Pow(thin, BellyFollows * strange) * paunch,
             Rump = drawn.Rump * PortableMath.Pow(thin, strange),
             TailGirth = drawn.TailGirth * Scalar.Clamp(PortableMath.Pow(wanted / root, strange), MinRoot, MaxRoot),
         };
+
+        double Drawn() => PortableMath.Exp(Figure * strange * figure.Uniform(-1, 1));
     }
 
     /// <summary>Greatest depth of a section between the girdles against its own breadth.</summary>

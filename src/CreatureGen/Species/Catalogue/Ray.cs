@@ -40,11 +40,12 @@ internal static class Ray
         Signatures = new[] { Signature.None, Signature.BigEyes },
         Disc = (0.42, -0.28, 0.38),
         Eye = (6.4, 3.0), EyeSize = 0.20, EyeSink = 0.4,
-        MouthCorner = 0, Nostril = 0, Bone = 0, Swelling = (0, 0),
+        Skull = new SkullShape { Jowl = 0, Muzzle = new[] { new HeadBump(6.6, 3.2, 1.7, 1.5, 0.55) } },
+        MouthCorner = 4, MouthOpenings = Weights.Of<double>((0.04, 1), (0.12, 1), (0, 1)), Teeth = 0, Nostril = 0, Bone = 0, Swelling = (0, 0),
         SwimmingPlans = Weights.Of((BodyPlan.Whale, 1)),
         Fins = new FinPreset
         {
-            Fins = new[] { new FinSitePreset(FinPlace.Pectoral, FinStyle.Paddle, 43, 10, 4, (0.14, 0.18), (0.6, 0.7), 0.15, 0.9) },
+            Fins = new[] { new FinSitePreset(FinPlace.Pectoral, FinStyle.Ray, 43, 9, 4, (0.10, 0.13), (0.9, 1), 0.05, 0.9) },
             Tail = TailStyle.Plain,
         },
         Parts = new[]
@@ -52,7 +53,7 @@ internal static class Ray
             new PartSlot(
                 new PartChoice(1, new PartPreset(new FeatureBlueprint(FeatureKind.Scute, Ring: 1.5, Segment: 8, Length: 0.24, Radius: 0.055, Outward: 0, Upward: -0.1, Forward: 1, Sideward: 0.05, BendUp: -0.15, BendForward: 0, BendSide: -0.2, Flatness: 0.4, Taper: 0.55), 0.8, 1.15)),
                 new PartChoice(0.8)),
-            new PartSlot(new PartChoice(1, new PartPreset(new FeatureBlueprint(FeatureKind.Spike, Ring: 46, Segment: 0, Length: 0.2, Radius: 0.018, Outward: 0.4, Upward: 0.3, Forward: -1, Sideward: 0, BendUp: 0, BendForward: -0.2, BendSide: 0, Flatness: 1, Taper: 1), 0.8, 1.2)), new PartChoice(1)),
+            new PartSlot(new PartChoice(1, new PartPreset(new FeatureBlueprint(FeatureKind.Spike, Ring: 48, Segment: 0, Length: 0.24, Radius: 0.02, Outward: 0.1, Upward: 0.03, Forward: -1, Sideward: 0, BendUp: 0, BendForward: -0.2, BendSide: 0, Flatness: 1, Taper: 1), 0.8, 1.2)), new PartChoice(1)),
         },
         Patterns = Weights.Of((PatternKind.Spots, 1), (PatternKind.Mottle, 1), (PatternKind.Plain, 0.6)),
         Colourings = new[]
