@@ -1,3 +1,4 @@
+using System;
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Anatomy.Wings;
@@ -12,6 +13,13 @@ internal sealed class BladeCoat
     // Rays of a fin, and how dark the skin between them is.
     private const int Rays = 11;
     private const float BetweenRays = 0.5f;
+
+    /// <summary>How far the skin over a finger keeps the coat of the body, in spans.</summary>
+    private const float FingerWidth = 0.014f;
+
+    // Of the folded wing: how many feathers lie over one another, and how far the scallops of a row reach along it.
+    private const int FoldedFeathers = 5;
+    private const float Scallop = 0.035f;
 
     private readonly CoatPalette palette;
     private readonly CoatSubject subject;
@@ -46,9 +54,10 @@ internal sealed class BladeCoat
                 float rooted = Scalar.Smooth(place.Along * 1.3f);
                 return Vec.Lerp(colour, finColour, 0.85f * rooted) * Scalar.Lerp(1f, rays * margin, Scalar.Smooth(place.Along * 4f));
             case SurfaceRegion.Wing:
-                return place.Appendage >= 0 && place.Appendage < subject.WingStyles.Count && (subject.WingStyles[place.Appendage] == WingStyle.Folded || WingForm.Of(subject.WingStyles[place.Appendage]).Feathers > 0)
-                    ? Feathers(colour, place)
-                    : Membrane(colour, place);
+                WingStyle style = place.Appendage >= 0 && place.Appendage < subject.WingStyles.Count ? subject.WingStyles[place.Appendage] : WingStyle.Bat;
+                return style == WingStyle.Folded ? Folded(colour, place)
+                    : WingFingers.Of(style) is WingFingers hand ? Membrane(colour, place, hand)
+                    : Feathers(colour, place, WingForm.Of(style).Feathers);
             case SurfaceRegion.Ear:
                 return Vec.Lerp(colour, palette.Limb * 0.8f, 0.7f * Scalar.Smooth((place.Along - 0.65f) / 0.3f));
             default:
@@ -56,20 +65,48 @@ internal sealed class BladeCoat
         }
     }
 
-    // The arm along the leading edge keeps the coat of the body.
-    private Vector3 Membrane(Vector3 colour, in SkinPlace place)
+    // The arm along the leading edge and the fingers keep the coat of the body.
+    private Vector3 Membrane(Vector3 colour, in SkinPlace place, WingFingers hand)
     {
         float chord = place.Chord;
         float fraction = Scalar.Smooth((chord - 0.10f) / 0.15f) * Scalar.Smooth(place.Along * 4f);
+        if (fraction > 0f)
+        {
+            float off = hand.At(place.Along, chord) / FingerWidth;
+            fraction *= 1f - (0.8f * Scalar.Smooth(1.6f - off));
+        }
+
         return Vec.Lerp(colour, membraneColour * (1.05f - (0.25f * chord)), fraction);
     }
 
-    // Three rows from the leading edge: lesser coverts in the coat of the body, greater coverts, flight feathers.
-    private Vector3 Feathers(Vector3 colour, in SkinPlace place)
+    // Three rows from the leading edge: lesser coverts in the coat of the body, greater coverts, flight feathers; each feather shades the next.
+    private Vector3 Feathers(Vector3 colour, in SkinPlace place, int feathers)
     {
         float chord = place.Chord;
         float rooted = 0.9f * Scalar.Smooth(place.Along * 5f);
         colour = Vec.Lerp(colour, covertColour, rooted * Scalar.Smooth((chord - 0.30f) / 0.06f));
-        return Vec.Lerp(colour, featherColour, rooted * Scalar.Smooth((chord - 0.62f) / 0.06f));
+        colour = Vec.Lerp(colour, featherColour, rooted * Scalar.Smooth((chord - 0.62f) / 0.06f));
+        float row = Scalar.Smooth((chord - 0.34f) / 0.1f);
+        return colour * (1f - (0.45f * rooted * row * Border((place.Along * feathers) + (chord < 0.62f ? 0.5f : 0f))));
+    }
+
+    // Coverts over the wrist, greater coverts in the middle, and behind them primaries that run to the rear, one over the other.
+    private Vector3 Folded(Vector3 colour, in SkinPlace place)
+    {
+        float chord = place.Chord;
+        float feather = chord * FoldedFeathers;
+        float back = place.Along + (0.22f * chord) + (Scallop * (float)PortableMath.Cos(PortableMath.Tau * feather));
+        float rooted = 0.9f * Scalar.Smooth(place.Along * 5f);
+        colour = Vec.Lerp(colour, covertColour, rooted * Scalar.Smooth((back - 0.36f) / 0.03f));
+        colour = Vec.Lerp(colour, featherColour, rooted * Scalar.Smooth((back - 0.56f) / 0.03f));
+        float rim = Math.Max(Scalar.Smooth(1f - (Math.Abs(back - 0.36f) / 0.03f)), Scalar.Smooth(1f - (Math.Abs(back - 0.56f) / 0.03f)));
+        return colour * (1f - (0.45f * rooted * Math.Max(rim, Scalar.Smooth((back - 0.36f) / 0.1f) * Border(feather + 0.5f))));
+    }
+
+    /// <summary>How near it is to the border between two feathers, 0..1: sharp on one side, soft on the other.</summary>
+    private static float Border(float feathers)
+    {
+        float phase = feathers - (float)Math.Floor(feathers);
+        return phase < 0.12f ? 1f - Scalar.Smooth(phase / 0.12f) : Scalar.Smooth((phase - 0.7f) / 0.3f);
     }
 }

@@ -25,8 +25,13 @@ internal static class FoldedWingGrower
     private const double OffBelow = 0.12;
     private const double OffBetween = 0.55;
 
+    // The same of the wrist over what is between the edges, the tip's height over the rump in metres, and the share of the span at which its feathers begin, each of which ends in a step.
+    private const double OffWrist = 0.35;
+    private const double OffTip = 0.02;
+    private const double FirstPrimary = 0.35;
+
     /// <summary>Rings by which feathers stand out of the rear edge.</summary>
-    private const double Tooth = 0.38;
+    private const double Tooth = 0.5;
 
     /// <summary>The last ring that an edge may ride on.</summary>
     private const double LastRing = 52.5;
@@ -35,7 +40,7 @@ internal static class FoldedWingGrower
 
     /// <summary>Segments of the lower edge and the shares of the span that they hold for.</summary>
     private static readonly double[] lowerFractions = { 0, 0.15, 0.4, 0.7, 1 };
-    private static readonly double[] lowerSegments = { 8.0, 8.5, 8.2, 6.6, 3.6 };
+    private static readonly double[] lowerSegments = { 8.0, 8.6, 8.2, 6.2, 2.6 };
 
     /// <summary>Grows the left wing, mirrors it, and says where its joints are.</summary>
     public static Appendage Grow(BodySurface body, WingBlueprint wing, int index)
@@ -51,11 +56,11 @@ internal static class FoldedWingGrower
 
         double Slide(double s) => Math.Max(0, s - 0.02) / 0.98;
         double Stand(double s) => lift * Scalar.Smooth(s / Lifting);
-        double Upper(double s) => wing.Socket.Segment - (0.6 * s) - (s * s);
-        double Lower(double s) => Piecewise(s) + wing.Socket.Segment - 4;
-        Vector3 Lead(float s) => Ride(skin, first + (reach * Slide(s)), Upper(s), 0.010 + (OffAbove * Stand(s)));
-        Vector3 Trail(float s) => Ride(skin, first + (0.93 * reach * Slide(s)) + (Tooth * (Phase(s) - 0.5) * Scalar.Smooth(4 * s)), Lower(s), 0.012 + (OffBelow * Stand(s)));
-        Vector3 Middle(float s) => Ride(skin, first + (0.97 * reach * Slide(s)), (Upper(s) + Lower(s)) / 2, 0.012 + (OffBetween * Stand(s)));
+        double Upper(double s) => wing.Socket.Segment - (0.6 * s) - (1.8 * s * s);
+        double Lower(double s) => Stepped(s) + wing.Socket.Segment - 4;
+        Vector3 Lead(float s) => Ride(skin, first + (reach * Slide(s)), Upper(s), 0.010 + (OffAbove * Stand(s)) + (OffTip * s * s));
+        Vector3 Trail(float s) => Ride(skin, first + (0.93 * reach * Slide(s)) + (Tooth * (Phase(s) - 0.5) * Scalar.Smooth(4 * s)), Lower(s), 0.012 + (OffBelow * Stand(s)) + (OffTip * Scalar.Smooth((s - FirstPrimary) / (1 - FirstPrimary))));
+        Vector3 Middle(float s) => Ride(skin, first + (0.97 * reach * Slide(s)), (Upper(s) + Lower(s)) / 2, 0.012 + ((OffBetween + (OffWrist * Wrist(s))) * Stand(s)) + (OffTip * s * s));
         Vector3 Normal(float s) => skin.At(Math.Min(first + (reach * Slide(s)), LastRing), (Upper(s) + Lower(s)) / 2).Normal;
 
         int quarter = (wing.Socket.Rows + wing.Socket.Columns) / 2;
@@ -88,6 +93,17 @@ internal static class FoldedWingGrower
     }
 
     private static double Phase(float s) => s < 0.999f ? (s * Feathers) - Math.Floor(s * Feathers) : 0;
+
+    /// <summary>How much of the wrist's bump is at a share of the span, 0..1.</summary>
+    private static double Wrist(double s) => Scalar.Smooth(1 - (Math.Abs(s - 0.12) / 0.14));
+
+    /// <summary>Segment of the lower edge, down in a step at the tip of each primary.</summary>
+    private static double Stepped(double s)
+    {
+        double tip = Math.Ceiling((s * Feathers) - 0.01) / Feathers;
+        double start = (Math.Ceiling((s * Feathers) - 0.01) - 1) / Feathers;
+        return Scalar.Lerp(Piecewise(s), Scalar.Lerp(Piecewise(Math.Max(0, start)), Piecewise(tip), 0.25 * ((s * Feathers) - Math.Floor(s * Feathers))), Scalar.Smooth((s - FirstPrimary) / 0.1));
+    }
 
     private static double Piecewise(double s)
     {

@@ -15,7 +15,7 @@ namespace CreatureGen.Limbs;
 internal static class WingGrower
 {
     /// <summary>How far a finger stands out of its membrane to either side, in spans.</summary>
-    private const double FingerWidth = 0.016;
+    private const double FingerWidth = 0.02;
 
     /// <summary>Share of the span over which the depth of the root goes over into that of the wing.</summary>
     private const float Rooted = 0.1f;
@@ -28,7 +28,7 @@ internal static class WingGrower
     private const float Leaving = 0.24f;
 
     /// <summary>Segments by which a membrane is held higher at the hip than at the shoulder.</summary>
-    private const double AboveThigh = 3;
+    private const double AboveThigh = 1;
 
     /// <summary>How far a membrane stands off the flank that holds it, at the shoulder and at the hip, metres.</summary>
     private const float OffFlank = 0.012f;
@@ -41,10 +41,11 @@ internal static class WingGrower
     private const float MinDepth = 0.03f;
 
     // Radians by which the depth of a wing falls to the rear at its root, and by how much more at its tip; and the share of the span over which it comes to hang as it does at rest, and from which on beyond the elbow.
-    private const double RootFall = 0.22;
+    private const double RootFall = 0.36;
     private const double TipFall = 0.16;
-    private const float Hung = 0.3f;
+    private const float Hung = 0.12f;
     private const float OuterHung = 0.2f;
+    private const float WhollyOuterHung = 0.7f;
 
     private const int MembraneRows = 28;
 
@@ -59,8 +60,8 @@ internal static class WingGrower
     /// <summary>The edge along which the bones of all wings lie.</summary>
     private static readonly WingForm arm = new() { Stations = new[] { 0, 0.1, 0.3, 0.52, 0.8, 0.93, 1 }, Lead = new[] { 0, 0.01, 0.03, 0.15, 0.11, 0.075, 0.045 } };
 
-    /// <summary>Height of the leading edge over the span, for a rise of 1: it goes on rising to the tip, or it is a cap cut off level from the side.</summary>
-    private static readonly MonotoneCurve rise = new(new[] { 0, 0.3, 0.52, 0.8, 1 }, new[] { 0, 0.30, 0.61, 0.85, 0.95 });
+    /// <summary>Height of the leading edge over the span, for a rise of 1: an upper arm that hardly rises, a forearm that rises steeply, and a hand that goes on rising to the tip, or it is a cap cut off level from the side.</summary>
+    private static readonly MonotoneCurve rise = new(new[] { 0, 0.14, 0.28, 0.36, 0.48, 0.56, 0.8, 1 }, new[] { 0, 0.08, 0.18, 0.30, 0.57, 0.67, 0.86, 0.95 });
 
     /// <summary>Shares of the span at shoulder, elbow, wrist, hand and tip.</summary>
     private static readonly float[] jointFractions = { 0f, 0.28f, 0.53f, 0.78f, 1f };
@@ -125,7 +126,7 @@ internal static class WingGrower
         Vector3 Back(float s)
         {
             double turn = form.Feathers > 0 ? FeatherTurn * s : 0;
-            double incidence = (WingForm.RestIncidence * Scalar.Smooth(s / Hung)) + (WingForm.OuterIncidence * Scalar.Smooth((s - OuterHung) / (1f - OuterHung - Hung)));
+            double incidence = (WingForm.RestIncidence * Scalar.Smooth(s / Hung)) + (WingForm.OuterIncidence * Scalar.Smooth((s - OuterHung) / (WhollyOuterHung - OuterHung)));
             PortableMath.SinCos(RootFall + (TipFall * s) + incidence, out double down, out double level);
             return (Vec.Lerp(-Vector3.UnitY, off, Scalar.Smooth(s / Hung)) * (float)down) + new Vector3((float)(level * PortableMath.Sin(turn)), 0f, -(float)(level * PortableMath.Cos(turn)));
         }
@@ -201,7 +202,7 @@ internal static class WingGrower
         }
 
         double f = form.FromFingers(s, Scalar.Lerp(form.LeadAt(s), form.TrailAt(s), u)) / FingerWidth;
-        return thickest * (1f - (0.65f * s)) * 0.6f * (float)PortableMath.Exp(-f * f) * (1f - (u * 0.5f));
+        return thickest * (1f - (0.65f * s)) * 0.9f * (float)PortableMath.Exp(-f * f) * (1f - (u * 0.5f));
     }
 
     /// <summary>Even ones, and one at the tip of each finger, or ridges and corners would miss each other.</summary>
