@@ -15,11 +15,22 @@ namespace CreatureGen.Features;
 /// </remarks>
 internal static class InsectWingShape
 {
-    private const int Lines = 7;
+    private const int Lines = 8;
     private const int Strips = Lines - 1;
+
+    /// <summary>Stations from one dark band across the wing to the next.</summary>
+    private const int Band = 4;
+
+    /// <summary>By how much the base of a wing without a style is broader than its outline has it, in widths.</summary>
+    private const float Base = 0.16f;
 
     // Metres at the size of a creature with a torso of one metre.
     private const float RootDepth = 0.012f;
+
+    // Wings that are not laid over the back, by their azimuth in radians, keep off the midline by so much for each 1 that they rise; over so much of their length it is gone over to that.
+    private const double Laid = -1;
+    private const float OffMidline = 0.1f;
+    private const float Softness = 0.09f;
 
     /// <summary>Appends a wing of the left side.</summary>
     /// <param name="builder">Where the wing goes.</param>
@@ -31,9 +42,9 @@ internal static class InsectWingShape
     public static void Append(PieceBuilder builder, SurfacePoint skin, InsectWingBlueprint wing, float scale, Vector3 membrane, Vector3 vein)
     {
         ThinWingForm? form = ThinWingForm.Of(wing.Style);
-        ReadOnlySpan<float> blade = stackalloc float[] { 0f, 0.10f, 0.28f, 0.48f, 0.69f, 0.85f, 0.95f, 1f };
+        ReadOnlySpan<float> blade = stackalloc float[] { 0f, 0.05f, 0.12f, 0.21f, 0.32f, 0.44f, 0.56f, 0.68f, 0.79f, 0.88f, 0.95f, 1f };
         int rows = form?.Rows ?? blade.Length;
-        ReadOnlySpan<float> lines = stackalloc float[Lines] { 0f, 0.07f, 0.31f, 0.345f, 0.62f, 0.65f, 1f };
+        ReadOnlySpan<float> lines = stackalloc float[Lines] { 0f, 0.07f, 0.31f, 0.345f, 0.62f, 0.65f, 0.92f, 1f };
         float length = (float)wing.Length * scale;
         float width = (float)wing.Width * scale;
         float aspect = width / length;
@@ -61,14 +72,23 @@ internal static class InsectWingShape
                     y = (float)(-p.Y / form.Depth);
                 }
 
-                grid[(i * Lines) + j] = root + (along * (x * length)) + (back * (width * y)) + (up * camber);
+                Vector3 place = root + (along * (x * length)) + (back * (width * y)) + (up * camber);
+                grid[(i * Lines) + j] = wing.Azimuth > Laid ? BesideMidline(place, root, length) : place;
             }
         }
 
         float thickness = 0.004f * scale;
-        int band = form is null ? 2 : 4;
-        AppendLayer(builder, grid, stations, lines, up, thickness, aspect, band, membrane, vein);
-        AppendLayer(builder, grid, stations, lines, up, -thickness, aspect, band, membrane, vein);
+        AppendLayer(builder, grid, stations, lines, up, thickness, aspect, membrane, vein);
+        AppendLayer(builder, grid, stations, lines, up, -thickness, aspect, membrane, vein);
+    }
+
+    /// <summary>A place of a left wing, off the midline: hind wings would push through one another over the back.</summary>
+    private static Vector3 BesideMidline(Vector3 place, Vector3 root, float length)
+    {
+        float min = (0.5f * root.X) + (OffMidline * Math.Max(0f, place.Y - root.Y));
+        float off = place.X - min;
+        float soft = Softness * length;
+        return place with { X = min + ((off + (float)Math.Sqrt((off * off) + (soft * soft))) / 2f) };
     }
 
     /// <summary>Root, middle and tip of the wing's axis, its joints.</summary>
@@ -79,7 +99,7 @@ internal static class InsectWingShape
     }
 
     private static void AppendLayer(
-        PieceBuilder builder, ReadOnlySpan<Vector3> grid, ReadOnlySpan<float> stations, ReadOnlySpan<float> lines, Vector3 up, float thickness, float aspect, int band, Vector3 membrane, Vector3 vein)
+        PieceBuilder builder, ReadOnlySpan<Vector3> grid, ReadOnlySpan<float> stations, ReadOnlySpan<float> lines, Vector3 up, float thickness, float aspect, Vector3 membrane, Vector3 vein)
     {
         const int RowLength = 2 * Strips;
         int rows = stations.Length;
@@ -95,7 +115,7 @@ internal static class InsectWingShape
                     int j = strip + edge;
                     bool border = i == 0 || i == rows - 1 || j == 0 || j == Lines - 1;
                     Vector3 position = grid[(i * Lines) + j] + (up * (border ? 0f : thickness));
-                    builder.Vertex(position, Normal(grid, i, j) * side, Shade(strip, stations[i], lines[j], Math.Abs((2f * (i % band)) - band) / band, aspect, membrane, vein));
+                    builder.Vertex(position, Normal(grid, i, j) * side, Shade(strip, stations[i], lines[j], Math.Abs((2f * (i % Band)) - Band) / Band, aspect, membrane, vein));
                 }
             }
         }
@@ -153,7 +173,7 @@ internal static class InsectWingShape
             dark = Math.Max(dark, 0.85f * (1f - broad) * Scalar.Smooth(1f - (Math.Abs(s - 0.77f) / 0.12f)));
         }
 
-        float margin = Math.Max(Scalar.Smooth((s - 0.74f) / 0.14f), Scalar.Smooth((u - 0.7f) / 0.3f));
+        float margin = Math.Max(Scalar.Smooth((s - 0.74f) / 0.14f), strip == Strips - 1 ? 1f : 0.5f * Scalar.Smooth((u - 0.6f) / 0.4f));
         dark = Math.Max(dark, 0.95f * broad * margin);
         Vector3 sheen = membrane * (1f - (0.12f * s));
 
@@ -176,6 +196,9 @@ internal static class InsectWingShape
         float fan = (0.16f + (0.86f * Power(s, 0.7))) * (1f - (0.58f * Scalar.Smooth((s - 0.82f) / 0.18f)));
         lead = Scalar.Lerp(-0.15f * bow, -0.28f * Power(Sine(Power(s, 1.5)), 0.8), broad);
         trail = Scalar.Lerp(Scalar.Lerp(lobe, blade, slender), fan, broad);
+
+        // It stands on a base, not on a point.
+        trail += Base * (1f - s) * (1f - s) * (1f - s);
 
         // Both edges run round into the tip, which would be sawn off.
         float round = (float)Math.Sqrt(1f - (0.99f * Power(s, 3.5)));

@@ -20,10 +20,10 @@ internal static class WingSampler
     /// <summary>Those of heavier bodies, of each family one: long and broad, or they would look too small to carry them.</summary>
     private static readonly ThinWing[][] fairyWings =
     {
-        new ThinWing[] { new(ring: 0, length: 1.45, width: 0.44, azimuth: 6, elevation: 32), new(ring: 0, length: 1.0, width: 0.36, azimuth: -40, elevation: 20) },
-        new ThinWing[] { new(ring: 0, length: 1.6, width: 0.36, azimuth: 8, elevation: 28, style: ThinWingStyle.DragonflyFore), new(ring: 0, length: 1.4, width: 0.46, azimuth: -20, elevation: 18, style: ThinWingStyle.DragonflyHind) },
-        new ThinWing[] { new(ring: 0, length: 1.3, width: 0.78, azimuth: 4, elevation: 38, style: ThinWingStyle.ButterflyFore), new(ring: 0, length: 1.05, width: 0.82, azimuth: -4, elevation: 26, style: ThinWingStyle.ButterflyHind) },
-        new ThinWing[] { new(ring: 0, length: 1.4, width: 0.7, azimuth: 0, elevation: 32, style: ThinWingStyle.MothFore), new(ring: 0, length: 1.1, width: 0.66, azimuth: -12, elevation: 20, style: ThinWingStyle.MothHind) },
+        new ThinWing[] { new(ring: 0, length: 1.45, width: 0.44, azimuth: 0, elevation: 32), new(ring: 0, length: 1.0, width: 0.36, azimuth: -40, elevation: 20) },
+        new ThinWing[] { new(ring: 0, length: 1.6, width: 0.36, azimuth: 2, elevation: 28, style: ThinWingStyle.DragonflyFore), new(ring: 0, length: 1.4, width: 0.46, azimuth: -20, elevation: 18, style: ThinWingStyle.DragonflyHind) },
+        new ThinWing[] { new(ring: 0, length: 1.3, width: 0.78, azimuth: -20, elevation: 38, style: ThinWingStyle.ButterflyFore), new(ring: 0, length: 1.05, width: 0.82, azimuth: -1, elevation: 26, style: ThinWingStyle.ButterflyHind) },
+        new ThinWing[] { new(ring: 0, length: 1.4, width: 0.7, azimuth: -14, elevation: 32, style: ThinWingStyle.MothFore), new(ring: 0, length: 1.1, width: 0.66, azimuth: -12, elevation: 20, style: ThinWingStyle.MothHind) },
     };
 
     private static readonly Weighted<WingStyle>[] membranes = Weights.Of((WingStyle.Bat, 0.4), (WingStyle.Dragon, 0.4), (WingStyle.Pterosaur, 0.2));

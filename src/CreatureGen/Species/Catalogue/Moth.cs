@@ -38,7 +38,7 @@ internal static class Moth
         Legs = new LegPreset { Sites = InsectParts.Sixth(0.45, -0.05, -0.6), Reach = (0.2, 0.24), Height = (0.14, 0.2), Thickness = 0.036 },
         Wings = new ThinWings { Spread = new[]
             {
-                new ThinWing(ring: 26, length: 1.0, width: 0.56, azimuth: -8, elevation: 25, style: ThinWingStyle.MothFore),
+                new ThinWing(ring: 26, length: 1.0, width: 0.56, azimuth: -14, elevation: 25, style: ThinWingStyle.MothFore),
                 new ThinWing(ring: 30, length: 0.84, width: 0.56, azimuth: -16, elevation: 18, style: ThinWingStyle.MothHind),
             } },
         Parts = new[] { new PartSlot(new PartChoice(1, InsectParts.Part(InsectParts.Feeler(ring: 6, segment: 2.6, length: 0.3, radius: 0.017, outward: 0.7, upward: 1.05, forward: 0.3, bendUp: 0.15, bendForward: 0.3, knob: 0.2), 0.85, 1.15))) },
