@@ -60,7 +60,8 @@ internal static class FootRelease
         bool misses = slides > 0f && foot.Leg.Residual + slides > MaxMiss * leg.Length;
         Vector3 change = Change(foot, step, onward, place);
         Vector3 then = chord + lowered + change;
-        if (misses || (HipMayEnd(leg, then) ? Missing(foot, body, leg, step, then) : Straying(foot, body, leg, step, then, change)) > MaxMiss * leg.Length)
+        bool leaves = late && step.Ground is not IPlaneGround;
+        if (misses || (HipMayEnd(leg, then) ? Missing(foot, body, leg, step, then) : leaves || Math.Abs(change.X) > MaxMiss * leg.Length ? Straying(foot, body, leg, step, then) : 0f) > MaxMiss * leg.Length)
         {
             return true;
         }
@@ -100,9 +101,17 @@ internal static class FootRelease
         return then == 0f ? 0f : foot.Leg.Residual + then - HipRoom.Miss(body, leg, carrier, foot.Leg.Chord + new Vector3(0f, foot.Leg.Lowered, 0f));
     }
 
-    /// <summary>How far the hip alone will take a foot off its place that goes aside by more than it may miss, metres: as its body turns about it. The body comes down for one that is too far away.</summary>
-    private static float Straying(in Foot foot, LeggedBody body, LegRig leg, in StepContext step, Vector3 chord, Vector3 change) =>
-        Math.Abs(change.X) > MaxMiss * leg.Length ? Vec.Distance(HipRoom.Nearest(body, leg, CarrierOf(foot, step), chord, foot.Path.Heading), chord) : 0f;
+    /// <summary>
+    /// How far the hip alone will take a foot off its place, metres: of one that goes aside by more than it may miss, as its body turns about it, and on uneven ground of one that is about to leave it, which the trunk
+    /// may turn away from before it does. The body comes down for one that is too far away.
+    /// </summary>
+    private static float Straying(in Foot foot, LeggedBody body, LegRig leg, in StepContext step, Vector3 chord)
+    {
+        Quaternion heading = foot.Path.Heading;
+        float turn = step.RootVelocity.Turn * DecisionClock.Period;
+        heading = turn == 0f ? heading : Rotation.Multiply(AxisRotation.Yaw(-turn), heading);
+        return Vec.Distance(HipRoom.Nearest(body, leg, CarrierOf(foot, step), chord, heading), chord);
+    }
 
     /// <summary>Turn of the trunk at the hip from rest: it is known for a moment only.</summary>
     private static Quaternion CarrierOf(in Foot foot, in StepContext step) => step.Since > Overdue ? Quaternion.Identity : foot.Leg.Carrier;

@@ -100,12 +100,13 @@ internal struct LegRoom
     /// <param name="feet">All; take note of it.</param>
     /// <param name="dt">Seconds since it was last found.</param>
     /// <param name="way">How far an act takes the trunk, metres.</param>
+    /// <param name="tilt">How steeply the ground goes from hind to fore feet, parts of the length of the trunk: one end alone that comes down swings its hips away from its feet, so that the other goes along as far as that.</param>
     /// <param name="drop">How far it had come down then; goes on.</param>
     /// <param name="hindDrop">Of the hind body, metres; negative is up.</param>
     /// <param name="foreDrop">Of the fore body.</param>
-    public readonly void Find(Span<Foot> feet, float dt, Vector3 way, ref LegDrop drop, out float hindDrop, out float foreDrop)
+    public readonly void Find(Span<Foot> feet, float dt, Vector3 way, float tilt, ref LegDrop drop, out float hindDrop, out float foreDrop)
     {
-        float level = Math.Max(0f, 1f - body.Span.Fraction);
+        float level = Math.Max(1f - body.Span.Fraction, Math.Min(tilt, 1f));
         float hindest = Math.Max(hind.Drop, level * fore.Drop);
         hindDrop = Net(hindest, hind.Rise);
         foreDrop = Net(Math.Max(fore.Drop, level * hindest), fore.Rise);

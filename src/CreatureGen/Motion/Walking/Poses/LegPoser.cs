@@ -108,8 +108,9 @@ internal sealed class LegPoser
         bool turned = stands && fraction > 0f;
         float pitch = leg.FlatFoot ? FootRoll.ToePitch(foot.Path.Posture.Shown.Pitch) : foot.Path.Posture.Shown.Pitch;
 
-        // As the ankle comes up for it the shank leans farther, and asks for a little more.
-        for (int i = 0; i < (laid > 0f ? RelaxationRounds : 1) && fraction > 0f && excess > 0f; i++)
+        // As the ankle comes up for it the shank leans farther, and asks for a little more. A foot that stands is laid until it is there: what was left of it came and went, and dragged the foot.
+        float renewed = stands ? 1f : laid;
+        for (int i = 0; i < (renewed > 0f ? RelaxationRounds : 1) && fraction > 0f && excess > 0f; i++)
         {
             Quaternion asked = wanted.Toes;
             Quaternion toes = Rotation.Multiply(metatarsus, turns.Of(local, leg.Ball));
@@ -130,7 +131,7 @@ internal sealed class LegPoser
             }
 
             metatarsus = PoseFoot(leg, solved, lying, local, far, stands ? 1f : linked ? limit.Held : laid, out astray, out excess);
-            fraction = i == 0 ? fraction * laid : fraction;
+            fraction = i == 0 ? fraction * renewed : fraction;
         }
 
         foot.Leg.Turned.Stood = false;

@@ -295,7 +295,8 @@ internal sealed class BodyPlacer
             }
         }
 
-        room.Find(feet, dt, layer?.Way ?? Vector3.Zero, ref drop, out hindDrop, out foreDrop);
+        float tilt = Math.Abs(HindGround - ForeGround) / Math.Max(body.TrunkLength, 1e-3f);
+        room.Find(feet, dt, layer?.Way ?? Vector3.Zero, tilt, ref drop, out hindDrop, out foreDrop);
     }
 
     /// <summary>Model place of a leg's hip, its girdle slid and risen with its foot.</summary>

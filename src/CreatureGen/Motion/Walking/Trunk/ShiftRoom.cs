@@ -10,15 +10,15 @@ namespace CreatureGen.Motion.Walking.Trunk;
 
 /// <summary>
 /// How far a body that stands shifts its weight over feet that are not where they are on level ground: no farther than legs out to the side reach, for which it does not come down.
-/// A foot on a lower tread would be drawn along.
+/// A foot on a lower tread, or on a much higher one, would be drawn along.
 /// </summary>
 internal struct ShiftRoom
 {
     /// <summary>Part of its reach to which a leg is stretched by it at most.</summary>
     private const float MaxStretch = 0.97f;
 
-    /// <summary>How far below where it stands on level ground a foot is from which on it bounds the body wholly, leg lengths.</summary>
-    private const float WhollyBelow = 0.05f;
+    /// <summary>How far below or above where it stands on level ground a foot is from which on it bounds the body wholly, leg lengths.</summary>
+    private const float WhollyOff = 0.05f;
 
     /// <summary>How quickly it takes up what it has been kept from, leg lengths per second.</summary>
     private const float Rate = 0.5f;
@@ -48,16 +48,16 @@ internal struct ShiftRoom
             if (feet[i].Phase == FootPhase.Stance)
             {
                 Vector3 chord = feet[i].Leg.Chord;
-                float below = Scalar.Smooth((leg.Parts.Upper.Y + leg.Shank.Y - chord.Y) / (WhollyBelow * leg.Length));
-                if (below == 0f)
+                float off = Scalar.Smooth(Math.Abs(leg.Parts.Upper.Y + leg.Shank.Y - chord.Y) / (WhollyOff * leg.Length));
+                if (off == 0f)
                 {
                     continue;
                 }
 
                 float max = Math.Max(MaxStretch, leg.RestStretch) * leg.Reach;
                 float room = (float)Math.Sqrt(Math.Max((max * max) - (chord.Y * chord.Y) - (chord.Z * chord.Z), 0f));
-                left = Math.Min(left, Math.Max(chord.X + room, 0f) / below);
-                right = Math.Max(right, Math.Min(chord.X - room, 0f) / below);
+                left = Math.Min(left, Math.Max(chord.X + room, 0f) / off);
+                right = Math.Max(right, Math.Min(chord.X - room, 0f) / off);
             }
         }
 

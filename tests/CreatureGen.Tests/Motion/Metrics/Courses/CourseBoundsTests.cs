@@ -68,7 +68,8 @@ public sealed class CourseBoundsTests
 
     /// <summary>
     /// Feet that pass under their hips whirled about them (83 and 366 rad/s); one that had just left the ground as its gait took its swing back was thrown to where it was to come down (116);
-    /// the ankle of one that the body carries, whose ball did not go along, jumped as its joint came to its end (72); feet of short swings were whirled level before they came down (71).
+    /// the ankle of one that the body carries, whose ball did not go along, jumped as its joint came to its end (72); feet of short swings were whirled level before they came down (71);
+    /// one in the air waited for a clock that all but stood as its body braked to go back, aimed at places farther and farther behind, and was hurled from there at the next command (122).
     /// </summary>
     [Theory]
     [InlineData(RequestedKind.Walking, 19000006UL, "keys", 1, 60f)]
@@ -76,6 +77,7 @@ public sealed class CourseBoundsTests
     [InlineData(RequestedKind.Flying, 20000049UL, "random", 0.6, 60f)]
     [InlineData(RequestedKind.Walking, 20000047UL, "keys", 0.6, 60f)]
     [InlineData(RequestedKind.Walking, 20000031UL, "straight", 0.6, 60f)]
+    [InlineData(RequestedKind.Walking, 22400017UL, "keys", 0.6, 60f)]
     public void No_joint_is_whirled_by_a_foot_in_the_air(RequestedKind kind, ulong seed, string script, double strangeness, float radiansPerSecond) => Hold(kind, seed, script, strangeness, radiansPerSecond, 0.02f);
 
     /// <summary>
@@ -85,6 +87,15 @@ public sealed class CourseBoundsTests
     [InlineData(20000106UL, "runner", 0.005f)]
     [InlineData(20000103UL, "runner", 0.005f)]
     public void What_stands_of_a_foot_is_not_dragged_as_that_turns_or_rolls(ulong seed, string script, float slip) => Hold(RequestedKind.Walking, seed, script, CreatureOptions.Default.Strangeness, 60f, slip);
+
+    /// <summary>
+    /// On hills feet on an edge of their sole were laid half way and dragged by the rest (.021), and hips came to their end in the last moments of a stance (.015 and .027).
+    /// </summary>
+    [Theory]
+    [InlineData(22400018UL, 0.01f)]
+    [InlineData(22400033UL, 0.005f)]
+    [InlineData(22400014UL, 0.015f)]
+    public void Neither_ankles_nor_hips_at_their_end_drag_feet_on_hills(ulong seed, float slip) => Hold(RequestedKind.Walking, seed, "mixed", CreatureOptions.Default.Strangeness, 60f, slip);
 
     private static void Hold(RequestedKind kind, ulong seed, string script, double strangeness, float radiansPerSecond, float slip)
     {

@@ -56,6 +56,36 @@ public sealed class LegRoomTests
         void Add(float height, float seconds) => new LegRoom(body).Add(leg, new Vector3(0f, height * leg.Reach, 0f), ref foot, seconds);
     }
 
+    /// <summary>Down stairs a trunk whose front alone came down swung its shoulders back from the feet that they were to come down for.</summary>
+    [Fact]
+    public void Hind_bodies_come_down_along_with_fore_bodies_as_far_as_the_ground_is_steep()
+    {
+        LeggedBody body = new MotionProfile(Walkers.Any(42)).Legs!;
+        Assert.Equal(2, body.Rows);
+        Assert.Equal(0f, Hind(0f, out float level), 6);
+        float hind = Hind(0.5f, out float fore);
+        Assert.Equal(level, fore, 6);
+        Assert.InRange(level, 0.02f * body.LegLength, body.LegLength);
+        Assert.Equal(0.5f * fore, hind, 4);
+
+        float Hind(float tilt, out float fore)
+        {
+            var feet = new Foot[body.Legs.Length];
+            var room = new LegRoom(body);
+            for (int i = 0; i < feet.Length; i++)
+            {
+                LegRig leg = body.Legs[i];
+                feet[i].Plan.Phase = FootPhase.Stance;
+                feet[i].Plan.Stance = 0.5f;
+                room.Add(leg, new Vector3(0f, (leg.IsHind(body.Rows) ? -0.8f : -1.04f) * leg.Reach, 0f), ref feet[i], 0f);
+            }
+
+            var drop = new LegDrop();
+            room.Find(feet, 0f, default, tilt, ref drop, out float hind, out fore);
+            return hind;
+        }
+    }
+
     /// <summary>How far the hind body comes up where its left leg is stretched beyond its reach and its right one is folded.</summary>
     private static float Risen(LeggedBody body, Foot[] feet)
     {
@@ -66,7 +96,7 @@ public sealed class LegRoomTests
         room.Add(left, new Vector3(0f, -1.02f * left.Reach, 0f), ref feet[0], 0f);
         room.Add(right, new Vector3(0f, -Math.Max(right.FoldedReach - (0.2f * right.Length), 0.05f * right.Length), 0f), ref feet[1], 0f);
         var drop = new LegDrop();
-        room.Find(feet, 0f, default, ref drop, out float hind, out float fore);
+        room.Find(feet, 0f, default, 0f, ref drop, out float hind, out float fore);
         return -(left.IsHind(body.Rows) ? hind : fore);
     }
 }

@@ -105,6 +105,15 @@ public sealed class StairFootingTests
         Assert.True(report.StanceSlip < 0.015f, $"a stance slips by {report.StanceSlip}");
     }
 
+    /// <summary>A centipede that stood across stairs shifted its weight over a foot that reached far up, and drew it along by .114 of a leg.</summary>
+    [Fact]
+    public void Who_stands_across_stairs_does_not_draw_feet_along_that_are_above_it()
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(22401057, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        CourseReport report = new MotionCourse(CourseScripts.Mixed(profile, 12f), CourseGround.Stairs, CourseRate.Of(60f)).Run(profile);
+        Assert.True(report.StanceSlip < 0.02f, $"a stance slips by {report.StanceSlip}");
+    }
+
     /// <summary>The place of a foot was moved off risers little by little while what was asked for went on: toes were .12 of a leg deep in the mean.</summary>
     [Theory]
     [InlineData(10800000UL, 8)]
