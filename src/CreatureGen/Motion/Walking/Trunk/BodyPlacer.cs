@@ -214,7 +214,7 @@ internal sealed class BodyPlacer
         Balance = FastTrigonometry.Of(context.RootVelocity.Speed * context.RootVelocity.Turn, settings.Gravity);
         turnBend.Follow(body, context.RootVelocity, settings.Gravity, Balance, context.Step);
         look.Follow(body, context.Facing, context.Step);
-        turnLook.Follow(context.RootVelocity, context.Step);
+        turnLook.Follow(context.RootVelocity, settings.Gravity * length, context.Step);
         float bend = TurnBend;
         float spine = settings.Walking.SpineMotion;
         float pelvisYaw = -traits.PelvisYaw * Scissor * spine;
