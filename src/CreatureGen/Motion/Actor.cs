@@ -76,7 +76,12 @@ internal sealed class Actor
 
         Idle(dt, root, locomotion, settings, idles);
 
-        if (mode.State != BodyState.Supported)
+        if (Performer.IsLimp && !mode.IsLimp)
+        {
+            // It is up, or on its way there: what it would have done lying is over.
+            Performer.Reset();
+        }
+        else if (mode.State != BodyState.Supported && !Performer.IsLimp)
         {
             Performer.Stop();
         }

@@ -60,13 +60,27 @@ public sealed partial class CreatureAnimator
         }
 
         actor ??= new Actor(Acts);
-        return actor.Begin(act, target, root, settings.Gravity);
+        ActStart start = actor.Begin(act, target, root, settings.Gravity);
+        if (start.Status == ActStatus.Started && act.Act.FallsFromAir && Mode is { IsInAir: true } falls)
+        {
+            actor.Performer.GoLimp();
+            falls.GoLimp();
+        }
+
+        return start;
     }
 
-    /// <summary>Leaves a phase that lasts, as of sitting or sleeping: the act goes on to its end. Others take no notice.</summary>
-    public void GoOn() => actor?.Performer.GoOn();
+    /// <summary>Leaves a phase that lasts, as of sitting or sleeping: the act goes on to its end; who fell limp by it gets up. Others take no notice.</summary>
+    public void GoOn()
+    {
+        actor?.Performer.GoOn();
+        if (actor is { Performer.IsLimp: true })
+        {
+            GetUp();
+        }
+    }
 
-    /// <summary>Breaks the act off where it is: what is left of it dies away.</summary>
+    /// <summary>Breaks the act off where it is: what is left of it dies away. Who fell limp by it stays so until <see cref="GetUp"/>.</summary>
     public void StopAct() => actor?.Performer.Stop();
 
     /// <summary>How readily it does something by itself: not at all while it is asked to go, attends to something, or is afraid or angry.</summary>

@@ -90,6 +90,12 @@ internal sealed partial class FallingMode : ILocomotionMode
 
     public float BalancedBank => inner.BalancedBank;
 
+    /// <summary>Whether it is limp, or is to be with the next update.</summary>
+    public bool IsLimp => goesLimp || State == BodyState.Limp;
+
+    /// <summary>Whether nothing bears it from below: it flies, jumps or falls, or is down already.</summary>
+    public bool IsInAir => State == BodyState.Supported ? wings != null && !inner.IsOnFeet : State != BodyState.Afloat && State != BodyState.Landed;
+
     /// <summary>Whether it goes on its legs and nothing else happens to it, or is about to.</summary>
     public bool OnlyWalks(in RootPlace place, in MotionSettings settings, IGround ground) => State == BodyState.Supported && inner == legs
         && glide.IsOver && !goesLimp && blow.Joint < 0 && recoil is not { IsActive: true } && reel is not { IsActive: true }

@@ -49,6 +49,7 @@ public sealed class Act
         Tool = other.Tool;
         Footing = other.Footing;
         SnoutDown = other.SnoutDown;
+        FallsFromAir = other.FallsFromAir;
     }
 
     /// <summary>What games call it.</summary>
@@ -71,6 +72,9 @@ public sealed class Act
 
     /// <summary>How far below level the snout points as the mouth reaches its target, radians.</summary>
     public float SnoutDown { get; private set; }
+
+    /// <summary>Whether who is in the air, or falls, as it begins goes limp instead: it comes down, lies as it comes to lie, and gets up when it is to go on.</summary>
+    public bool FallsFromAir { get; private set; }
 
     /// <summary>Its phases, in order.</summary>
     public IReadOnlyList<ActPhase> Phases => phases;
@@ -105,6 +109,9 @@ public sealed class Act
 
     /// <summary>The same, done only on planted feet.</summary>
     public Act OnTheSpot() => new(this) { Footing = ActFooting.Standing };
+
+    /// <summary>The same, by which who is in the air as it begins goes limp and falls.</summary>
+    public Act FallingFromAir() => new(this) { FallsFromAir = true };
 
     /// <inheritdoc/>
     public override string ToString() => Name;

@@ -89,7 +89,7 @@ internal static class Postures
             new ActPhase("nod", 4f).To(Lids, 1f).To(NeckPitch, -0.1f).To(Wings, -0.2f),
             new ActPhase("sleep", 14f).Lasting().With(new ActWave(Up, 0.02f, 2.5f)).With(new ActWave(Roll, 0.03f, 1f)),
             new ActPhase("wake", 2.4f).To(Lids, 0f).To(NeckPitch, 0f).To(Wings, 0f)),
-        new Act("Die", ActKind.Posture, [
+        Dying([
             new ActPhase("reel", 1.6f).To(Aside, 0.06f).To(Roll, -0.06f).To(NeckPitch, 0.3f).To(NeckSide, -0.3f).To(Lids, 0.5f).To(Jaw, 0.4f).To(Ears, 0.8f).To(ArmsOut, 0.4f),
             new ActPhase("buckle", 1.4f, ActEase.In).To(HindDown, 0.6f).To(HindFold, 0.4f).To(Aside, 0f).To(NeckPitch, -0.2f).To(ArmsAhead, 0.3f).To(ArmsOut, 0.1f),
             new ActPhase("topple", 1.8f, ActEase.In).To(HindDown, 0.5f).To(HindFold, 0f).To(ForeFold, 1f).To(OnFlank, 0.8f).To(NeckPitch, 0.1f).To(NeckSide, -0.5f).To(Roll, 0f).To(ArmsAhead, 0.1f).To(ArmsOut, -0.45f).To(ArmOut, 0.25f),
@@ -98,7 +98,7 @@ internal static class Postures
             new ActPhase("still", 5f).Lasting(),
             .. GettingUpSideways()])
             .Needing(ActNeeds.Legs | ActNeeds.Flanks).For(BodyBuild.Upright).OnTheSpot(),
-        new Act("Die", ActKind.Posture,
+        Dying(
             new ActPhase("reel", 1.6f).To(Aside, 0.06f).To(Roll, -0.06f).To(NeckPitch, 0.3f).To(NeckSide, -0.3f).To(Lids, 0.5f).To(Jaw, 0.4f).To(Ears, 0.8f).To(ArmsOut, 0.4f),
             new ActPhase("buckle", 1.4f, ActEase.In).To(HindDown, 0.5f).To(HindFold, 0.4f).To(Aside, 0f).To(NeckPitch, -0.2f).To(ArmsAhead, 0.4f),
             new ActPhase("topple", 1.8f, ActEase.In).To(HindDown, 1f).To(HindFold, 0f).To(ForeFold, 1f).To(NeckPitch, 0.2f).To(Roll, 0f).To(ArmsAhead, 1.3f),
@@ -108,7 +108,7 @@ internal static class Postures
             new ActPhase("squat", 2.2f).To(ForeFold, 0f).To(HindFold, 0.6f).To(HindDown, 0.6f).To(ArmsAhead, 0.3f).To(NeckPitch, 0f).To(Lids, 0f).To(Jaw, 0f),
             new ActPhase("rise", 2.2f).To(HindDown, 0f).To(HindFold, 0f).To(ArmsAhead, 0f).To(ArmsOut, 0f).To(Ears, 0f).To(TailSide, 0f).To(TailPitch, 0f))
             .Needing(ActNeeds.Legs).For(BodyBuild.Upright).OnTheSpot(),
-        new Act("Die", ActKind.Posture,
+        Dying(
             new ActPhase("reel", 1.6f).To(Aside, 0.06f).To(Roll, -0.06f).To(NeckPitch, 0.3f).To(NeckSide, -0.3f).To(Lids, 0.5f).To(Jaw, 0.4f).To(Ears, 0.8f),
             new ActPhase("buckle", 1.2f, ActEase.In).To(ForeDown, 0.62f).To(HindDown, 0.45f).To(ForeFold, 0.6f).To(HindFold, 0.4f).To(Aside, 0f).To(NeckPitch, -0.1f),
             new ActPhase("drop", 1.4f, ActEase.In).To(ForeDown, 0.97f).To(HindDown, 0.97f).To(ForeFold, 1f).To(HindFold, 1f).To(NeckPitch, -0.1f).To(NeckSide, 0.2f).To(ArmsAhead, 0.5f).To(Roll, 0f).To(OnFlank, 0.3f),
@@ -119,7 +119,7 @@ internal static class Postures
             new ActPhase("lift", 2.4f).To(OnFlank, 0f).To(ForeDown, 0.5f).To(HindDown, 0.5f).To(ForeFold, 0.4f).To(HindFold, 0.4f).To(NeckPitch, -0.2f).To(NeckSide, 0f).To(TailSide, 0f).To(ArmsAhead, 0f),
             new ActPhase("rise", 2.6f).To(ForeDown, 0f).To(HindDown, 0f).To(ForeFold, 0f).To(HindFold, 0f).To(NeckPitch, 0f).To(Lids, 0f).To(Jaw, 0f).To(Ears, 0f))
             .Needing(ActNeeds.Legs | ActNeeds.Flanks).For(BodyBuild.Pawed | BodyBuild.Hoofed | BodyBuild.Columnar | BodyBuild.TwoLegged | BodyBuild.ManyLegged).OnTheSpot(),
-        new Act("Die", ActKind.Posture,
+        Dying(
             new ActPhase("stagger", 1.4f).To(NeckPitch, 0.35f).To(NeckSide, -0.3f).To(Lids, 0.5f).To(Jaw, 0.5f).To(Ears, 0.8f).To(TailPitch, 0.2f),
             new ActPhase("give way", 1.1f, ActEase.In).To(ForeDown, 0.6f).To(ForeFold, 0.55f).To(HindDown, 0.5f).To(HindFold, 0.4f).To(NeckPitch, 0.1f).To(NeckSide, 0.2f).To(TailPitch, 0f),
             new ActPhase("tip", 1.3f, ActEase.In).To(ForeDown, 0.9f).To(HindDown, 0.9f).To(ForeFold, 0.8f).To(HindFold, 0.8f).To(OnFlank, 0.15f).To(NeckPitch, 0f),
@@ -132,7 +132,7 @@ internal static class Postures
             new ActPhase("lift", 1.8f).To(ForeDown, 0.5f).To(HindDown, 0.5f).To(ForeFold, 0.4f).To(HindFold, 0.4f).To(ArmsAhead, 0f),
             new ActPhase("rise", 2.2f).To(ForeDown, 0f).To(HindDown, 0f).To(ForeFold, 0f).To(HindFold, 0f).To(NeckPitch, 0f).To(Lids, 0f).To(Jaw, 0f).To(Ears, 0f))
             .Needing(ActNeeds.FourLegs | ActNeeds.Back).For(BodyBuild.Sprawling | BodyBuild.ManyLegged).OnTheSpot(),
-        new Act("Die", ActKind.Posture,
+        Dying(
             new ActPhase("stagger", 1.4f).To(NeckPitch, 0.35f).To(NeckSide, -0.3f).To(Lids, 0.5f).To(Jaw, 0.5f).To(Ears, 0.8f).To(TailPitch, 0.2f),
             new ActPhase("give way", 1.1f, ActEase.In).To(ForeDown, 0.52f).To(ForeFold, 0.55f).To(HindDown, 0.46f).To(HindFold, 0.4f).To(NeckPitch, 0.2f).To(NeckSide, 0f).To(TailPitch, 0f),
             new ActPhase("drop", 1.2f, ActEase.In).To(ForeDown, 1f).To(HindDown, 1f).To(ForeFold, 1f).To(HindFold, 1f).To(NeckPitch, -0.5f).To(TailPitch, -0.3f),
@@ -145,14 +145,19 @@ internal static class Postures
             .Needing(ActNeeds.FourLegs).For(BodyBuild.Sprawling | BodyBuild.ManyLegged).OnTheSpot(),
         DyingOnBelly(-0.6f).For(BodyBuild.TwoLegged),
         DyingOnBelly(0f).For(BodyBuild.Standing),
-        new Act("Die", ActKind.Posture,
+        Dying(
             new ActPhase("jerk", 1f, ActEase.Out).To(BackSide, 0.5f).To(TailSide, 0.8f).To(NeckSide, 0.5f).To(Jaw, 0.6f).To(NeckPitch, 0.5f).To(Wings, 0.6f),
             new ActPhase("twitch", 1.2f).To(BackSide, -0.3f).To(TailSide, -0.7f).To(NeckSide, -0.2f).To(NeckPitch, 0.1f).To(Roll, 0.5f).To(Wings, -0.2f),
             new ActPhase("roll", 5f).To(BackSide, 0.15f).To(BackPitch, 0.15f).To(TailSide, 0.2f).To(TailPitch, 0.3f).To(NeckSide, 0.2f).To(Roll, 2.8f).To(Up, 0.3f).To(Lids, 0.8f).To(Jaw, 0.35f).To(Wings, 0.4f),
             new ActPhase("still", 5f).Lasting().With(new ActWave(Up, 0.05f, 1f)).With(new ActWave(Roll, 0.06f, 1f, 0.3f)),
             new ActPhase("rise", 4f).To(Up, 0f).To(BackSide, 0f).To(BackPitch, 0f).To(TailSide, 0f).To(TailPitch, 0f).To(NeckSide, 0f).To(NeckPitch, 0f).To(Roll, 0f).To(Lids, 0f).To(Jaw, 0f).To(Wings, 0f))
-            .For(BodyBuild.Swimming | BodyBuild.Airborne),
-        new Act("Die", ActKind.Posture,
+            .For(BodyBuild.Swimming),
+        Dying(
+            new ActPhase("fall", 12f),
+            new ActPhase("still", 5f).Lasting(),
+            new ActPhase("rise", 8f))
+            .For(BodyBuild.Airborne),
+        Dying(
             new ActPhase("reel", 2f).To(NeckPitch, 0.7f).To(HeadPitch, -0.3f).To(NeckSide, 0.4f).To(Jaw, 0.7f),
             new ActPhase("sag", 1.6f).To(ForeDown, 0.45f).To(NeckPitch, 0.2f).To(HeadPitch, 0f).To(NeckSide, -0.2f).To(Lids, 0.4f),
             new ActPhase("drop", 1.2f, ActEase.In).To(ForeDown, 1f).To(NeckPitch, -0.2f).To(NeckSide, -0.5f),
@@ -165,7 +170,7 @@ internal static class Postures
     /// <summary>Down on the belly, the head laid to a side; who stands on two legs tips over ahead onto its breast.</summary>
     /// <param name="tip">By how much its trunk tips, radians, nose up.</param>
     private static Act DyingOnBelly(float tip) =>
-        new Act("Die", ActKind.Posture,
+        Dying(
             new ActPhase("reel", 1.6f).To(Aside, 0.06f).To(Roll, -0.06f).To(NeckPitch, 0.3f).To(NeckSide, -0.3f).To(Lids, 0.5f).To(Jaw, 0.4f).To(Ears, 0.8f),
             new ActPhase("buckle", 1.2f, ActEase.In).To(ForeDown, 0.62f).To(HindDown, 0.45f).To(ForeFold, 0.6f).To(HindFold, 0.4f).To(Aside, 0f).To(NeckPitch, -0.1f),
             new ActPhase("drop", 1.4f, ActEase.In).To(ForeDown, 0.97f).To(HindDown, 0.97f).To(ForeFold, 1f).To(HindFold, 1f).To(NeckPitch, -0.6f).To(Roll, 0f).To(Pitch, 0.4f * tip),
@@ -178,6 +183,8 @@ internal static class Postures
     /// <summary>Over onto the flank, legs stretched out.</summary>
     private static ActPhase OntoFlank(string name, float duration, ActEase ease) =>
         new ActPhase(name, duration, ease).To(OnFlank, 1f).To(ForeDown, LyingSide.Flank.Down).To(HindDown, LyingSide.Flank.Down).To(ForeFold, 0f).To(HindFold, 0f).To(ForeFeetPitch, LyingSide.ToesDown).To(HindFeetPitch, LyingSide.ToesDown);
+
+    private static Act Dying(params ActPhase[] phases) => new Act("Die", ActKind.Posture, phases).FallingFromAir();
 
     private static Act Lying(string name, ActPhase[] phases) => new Act(name, ActKind.Posture, phases).Needing(ActNeeds.Legs).OnTheSpot();
 

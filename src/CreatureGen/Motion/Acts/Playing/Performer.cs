@@ -67,6 +67,9 @@ internal sealed class Performer
     /// <summary>How far lids are shut.</summary>
     public float Lids => values[(int)ActChannel.Lids];
 
+    /// <summary>Whether the body is limp for it: nothing of the act is to be seen then, but its time goes by.</summary>
+    public bool IsLimp { get; private set; }
+
     /// <summary>What happened in the last update.</summary>
     public ReadOnlySpan<(Act Act, ActMark Mark, float SecondsAgo)> Marks => player.Marks;
 
@@ -100,7 +103,11 @@ internal sealed class Performer
 
         side = newSide;
         IsActive = true;
+        IsLimp = false;
     }
+
+    /// <summary>Leaves the body to its fall.</summary>
+    public void GoLimp() => IsLimp = true;
 
     /// <summary>Feels something from now on.</summary>
     public void Feel(Emotion emotion)
@@ -121,6 +128,7 @@ internal sealed class Performer
         }
 
         player.Stop();
+        IsLimp = false;
     }
 
     /// <summary>Forgets what it performs. What it feels stays, and shows as if it always had.</summary>
@@ -131,6 +139,7 @@ internal sealed class Performer
         mood.Settle();
         still = 0f;
         stilling = 0f;
+        IsLimp = false;
         IsActive = mood.IsShown;
         Array.Clear(values, 0, values.Length);
         mood.AddTo(values);
@@ -154,6 +163,7 @@ internal sealed class Performer
         stilling = other.stilling;
         stillRate = other.stillRate;
         IsActive = other.IsActive;
+        IsLimp = other.IsLimp;
     }
 
     /// <summary>Moves the origin of the world.</summary>
@@ -169,7 +179,12 @@ internal sealed class Performer
     /// <param name="root">Where the creature is.</param>
     public void Advance(float dt, bool stands, in RootPlace root)
     {
-        player.Advance(dt, mood.Pace, stands);
+        player.Advance(dt, mood.Pace, stands || IsLimp);
+        if (IsLimp)
+        {
+            return;
+        }
+
         ends.Advance(dt);
         CriticallyDampedSpring.Advance(ref still, ref stilling, player.Act == null ? 0f : 1f, player.Act == null ? StillRate : stillRate, dt);
         IsActive = player.IsActive || still > Nothing || mood.IsShown;
