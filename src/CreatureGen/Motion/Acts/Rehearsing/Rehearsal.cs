@@ -37,9 +37,6 @@ internal sealed class Rehearsal
                                                from down in new[] { 1f, 0.9f, 0.8f, 0.7f, 0.6f, 0.5f, 0.4f }
                                                select new ActGain(whole, down)).ToArray();
 
-    // Nobody rolls over by half: who cannot do it whole dies and sleeps on its belly.
-    private static readonly ActGain[] rollingGains = Array.FindAll(gains, gain => gain.Whole == 1f);
-
     private static readonly ActGain[] reachingGains = { ActGain.Full, new(1f, 0.5f), new(0.7f, 0.7f), new(0.5f, 0.5f), new(0.35f, 0.5f) };
 
     private readonly ActBody body;
@@ -128,7 +125,7 @@ internal sealed class Rehearsal
         }
 
         string? refusal = null;
-        foreach (ActGain gain in act.Reaches ? reachingGains : Uses(act, ActChannel.OnFlank) ? rollingGains : gains)
+        foreach (ActGain gain in act.Reaches ? reachingGains : gains)
         {
             var aim = new ActAim(act.Tool, false, usual, act.SnoutDown, default);
             refusal = null;
