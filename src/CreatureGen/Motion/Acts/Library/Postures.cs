@@ -101,10 +101,11 @@ internal static class Postures
         Dying(
             new ActPhase("reel", 1.6f).To(Aside, 0.06f).To(Roll, -0.06f).To(NeckPitch, 0.3f).To(NeckSide, -0.3f).To(Lids, 0.5f).To(Jaw, 0.4f).To(Ears, 0.8f).To(ArmsOut, 0.4f),
             new ActPhase("buckle", 1.4f, ActEase.In).To(HindDown, 0.5f).To(HindFold, 0.4f).To(Aside, 0f).To(NeckPitch, -0.2f).To(ArmsAhead, 0.4f),
-            new ActPhase("topple", 1.8f, ActEase.In).To(HindDown, 1f).To(HindFold, 0f).To(ForeFold, 1f).To(NeckPitch, 0.2f).To(Roll, 0f).To(ArmsAhead, 1.3f),
+            new ActPhase("topple", 1.3f, ActEase.In).To(HindDown, 0.62f).To(HindFold, 0.2f).To(ForeFold, 0.5f).To(NeckPitch, 0.2f).To(Roll, 0f).To(ArmsAhead, 1f),
+            new ActPhase("drop", 0.9f, ActEase.Out).To(HindDown, 1f).To(HindFold, 0f).To(ForeFold, 1f).To(ArmsAhead, 1.3f),
             new ActPhase("settle", 1.6f, ActEase.Out).To(NeckPitch, -0.5f).To(NeckSide, 0.5f).To(HeadRoll, 0.25f).To(HeadSide, 0.2f).To(Lids, 0.8f).To(Jaw, 0.3f).To(TailSide, 0.4f).To(TailPitch, -0.8f),
             new ActPhase("still", 5f).Lasting(),
-            new ActPhase("push", 2.6f).To(ForeFold, 0.45f).To(HindFold, 0.3f).To(HindDown, 0.85f).To(NeckPitch, 0.2f).To(NeckSide, 0f).To(HeadRoll, 0f).To(HeadSide, 0f),
+            new ActPhase("push", 2.6f).To(ForeFold, 0.45f).To(HindFold, 0.3f).To(HindDown, 0.62f).To(NeckPitch, 0.2f).To(NeckSide, 0f).To(HeadRoll, 0f).To(HeadSide, 0f),
             new ActPhase("squat", 2.2f).To(ForeFold, 0f).To(HindFold, 0.6f).To(HindDown, 0.6f).To(ArmsAhead, 0.3f).To(NeckPitch, 0f).To(Lids, 0f).To(Jaw, 0f),
             new ActPhase("rise", 2.2f).To(HindDown, 0f).To(HindFold, 0f).To(ArmsAhead, 0f).To(ArmsOut, 0f).To(Ears, 0f).To(TailSide, 0f).To(TailPitch, 0f))
             .Needing(ActNeeds.Legs).For(BodyBuild.Upright).OnTheSpot(),
@@ -210,11 +211,11 @@ internal static class Postures
         {
             new ActPhase("look", 1.2f).To(NeckPitch, -0.35f).To(HeadPitch, -0.15f).To(HindDown, 0.12f),
             new ActPhase("squat", 2.2f).To(HindDown, Squat.HindDown).To(HindFold, 0.6f).To(ArmsAhead, 0.5f).To(NeckPitch, -0.1f).To(HeadPitch, 0f),
-            new ActPhase("hands", 2.2f).To(HindDown, 0.9f).To(HindFold, 0.3f).To(ForeFold, 0.45f).To(ArmsAhead, 1.1f).To(NeckPitch, 0.3f),
+            new ActPhase("hands", 2.2f).To(HindDown, 0.62f).To(HindFold, 0.3f).To(ForeFold, 0.45f).To(ArmsAhead, 1.1f).To(NeckPitch, 0.3f),
             new ActPhase("sink", 2.6f).To(HindDown, 1f).To(HindFold, 0f).To(ForeFold, 1f).To(ArmsAhead, 1.3f).To(ArmsBend, 0.4f).To(NeckPitch, 0.6f).To(TailPitch, -0.8f),
         };
         phases.AddRange(there);
-        phases.Add(new ActPhase("push", 2.4f).To(HindDown, 0.85f).To(HindFold, 0.3f).To(ForeFold, 0.45f).To(ArmsBend, 0f).To(ArmsAhead, 0.9f).To(NeckPitch, 0.3f).To(Lids, 0f).To(TailPitch, 0f));
+        phases.Add(new ActPhase("push", 2.4f).To(HindDown, 0.62f).To(HindFold, 0.3f).To(ForeFold, 0.45f).To(ArmsBend, 0f).To(ArmsAhead, 0.9f).To(NeckPitch, 0.3f).To(Lids, 0f).To(TailPitch, 0f));
         phases.Add(new ActPhase("gather", 2.2f).To(HindDown, 0.6f).To(HindFold, 0.6f).To(ForeFold, 0f).To(ArmsAhead, 0.3f).To(NeckPitch, -0.1f).To(TailSide, 0f));
         phases.Add(new ActPhase("stand", 2.2f).To(HindDown, 0f).To(HindFold, 0f).To(ArmsAhead, 0f).To(NeckPitch, 0f).To(Ears, 0f));
         return phases.ToArray();
