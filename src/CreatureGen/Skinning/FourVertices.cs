@@ -14,6 +14,7 @@ internal static class FourVertices
 {
     /// <summary>Numbers of a matrix.</summary>
     private const int PerMatrix = 16;
+    private const int HalfMatrix = 8;
 
     /// <summary>Numbers of a position or normal.</summary>
     private const int PerVertex = 3;
@@ -76,41 +77,40 @@ internal static class FourVertices
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector128<float> Move(ref float matrices, uint joints, ref SkinWeights weights, ref float position, ref float normal, out Vector128<float> moved)
     {
+        // Rows lie two by two in registers while the mean is made.
         nuint first = PlaceOf(weights.Joint0, joints);
-        Vector128<float> r0 = Vector128.LoadUnsafe(ref matrices, first);
-        Vector128<float> r1 = Vector128.LoadUnsafe(ref matrices, first + 4);
-        Vector128<float> r2 = Vector128.LoadUnsafe(ref matrices, first + 8);
-        Vector128<float> r3 = Vector128.LoadUnsafe(ref matrices, first + 12);
-        if (weights.Weights.Y > 0f)
+        Vector256<float> r01 = Vector256.LoadUnsafe(ref matrices, first);
+        Vector256<float> r23 = Vector256.LoadUnsafe(ref matrices, first + HalfMatrix);
+        Vector4 w = weights.Weights;
+        if (w.Y > 0f)
         {
-            Vector128<float> all = weights.Weights.AsVector128();
-            Vector128<float> largest = FourVectors.First(all);
-            r0 *= largest;
-            r1 *= largest;
-            r2 *= largest;
-            r3 *= largest;
-            Add(ref matrices, PlaceOf(weights.Joint1, joints), FourVectors.Second(all), ref r0, ref r1, ref r2, ref r3);
-            if (weights.Weights.Z > 0f)
+            Vector256<float> largest = Vector256.Create(w.X);
+            r01 *= largest;
+            r23 *= largest;
+            Add(ref matrices, PlaceOf(weights.Joint1, joints), w.Y, ref r01, ref r23);
+            if (w.Z > 0f)
             {
-                Add(ref matrices, PlaceOf(weights.Joint2, joints), FourVectors.Third(all), ref r0, ref r1, ref r2, ref r3);
-                if (weights.Weights.W > 0f)
+                Add(ref matrices, PlaceOf(weights.Joint2, joints), w.Z, ref r01, ref r23);
+                if (w.W > 0f)
                 {
-                    Add(ref matrices, PlaceOf(weights.Joint3, joints), FourVectors.Fourth(all), ref r0, ref r1, ref r2, ref r3);
+                    Add(ref matrices, PlaceOf(weights.Joint3, joints), w.W, ref r01, ref r23);
                 }
             }
         }
 
+        Vector128<float> r0 = r01.GetLower();
+        Vector128<float> r1 = r01.GetUpper();
+        Vector128<float> r2 = r23.GetLower();
         moved = (r0 * normal) + (r1 * Unsafe.Add(ref normal, 1)) + (r2 * Unsafe.Add(ref normal, 2));
-        return (r0 * position) + (r1 * Unsafe.Add(ref position, 1)) + (r2 * Unsafe.Add(ref position, 2)) + r3;
+        return (r0 * position) + (r1 * Unsafe.Add(ref position, 1)) + (r2 * Unsafe.Add(ref position, 2)) + r23.GetUpper();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Add(ref float matrices, nuint place, Vector128<float> weight, ref Vector128<float> r0, ref Vector128<float> r1, ref Vector128<float> r2, ref Vector128<float> r3)
+    private static void Add(ref float matrices, nuint place, float weight, ref Vector256<float> r01, ref Vector256<float> r23)
     {
-        r0 += Vector128.LoadUnsafe(ref matrices, place) * weight;
-        r1 += Vector128.LoadUnsafe(ref matrices, place + 4) * weight;
-        r2 += Vector128.LoadUnsafe(ref matrices, place + 8) * weight;
-        r3 += Vector128.LoadUnsafe(ref matrices, place + 12) * weight;
+        Vector256<float> weights = Vector256.Create(weight);
+        r01 += Vector256.LoadUnsafe(ref matrices, place) * weights;
+        r23 += Vector256.LoadUnsafe(ref matrices, place + HalfMatrix) * weights;
     }
 
     /// <summary>Where a joint's matrix begins.</summary>
