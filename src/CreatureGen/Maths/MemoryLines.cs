@@ -1,4 +1,7 @@
 using System;
+#if NET
+using System.Runtime.CompilerServices;
+#endif
 using System.Runtime.InteropServices;
 
 namespace CreatureGen.Maths;
@@ -10,17 +13,27 @@ internal static class MemoryLines
     private const int Numbers = 16;
 
     /// <summary>Reads a number of each line that a list lies in: all are asked for at once, and none waits for another.</summary>
+    /// <param name="list">The list.</param>
+    /// <param name="count">How long it is, at most, as is known without it; no bounds are checked. Asked itself, it would have to come from memory before it is known how often the loop goes round, and so would the next one.</param>
     /// <returns>What was read, mixed: it means nothing, but has to go somewhere, or the compiler would leave the reading out.</returns>
-    public static int Touch<T>(ReadOnlySpan<T> list)
+    public static int Touch<T>(T[] list, int count)
         where T : struct
     {
-        ReadOnlySpan<int> numbers = MemoryMarshal.Cast<T, int>(list);
         int read = 0;
+#if NET
+        ref int numbers = ref Unsafe.As<T, int>(ref MemoryMarshal.GetArrayDataReference(list));
+        nint end = (nint)count * Unsafe.SizeOf<T>() / sizeof(int);
+        for (nint i = 0; i < end; i += Numbers)
+        {
+            read ^= Unsafe.Add(ref numbers, i);
+        }
+#else
+        ReadOnlySpan<int> numbers = MemoryMarshal.Cast<T, int>(list.AsSpan(0, count));
         for (int i = 0; i < numbers.Length; i += Numbers)
         {
             read ^= numbers[i];
         }
-
+#endif
         return read;
     }
 }

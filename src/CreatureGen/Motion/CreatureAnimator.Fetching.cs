@@ -1,14 +1,14 @@
-using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Modes;
-using CreatureGen.Motion.Toolkit;
-using CreatureGen.Motion.Toolkit.Springs;
 
 namespace CreatureGen.Motion;
 
 /// <content>Fetches from memory what an update needs.</content>
 public sealed partial class CreatureAnimator
 {
+    /// <summary>How many there are: known here, it has not to be fetched first.</summary>
+    private readonly int joints;
+
     /// <summary>What was read; it means nothing.</summary>
     private int fetched;
 
@@ -24,15 +24,11 @@ public sealed partial class CreatureAnimator
             return;
         }
 
-        int read = MemoryLines.Touch<Quaternion>(localRotations) ^ MemoryLines.Touch<Vector3>(localPositions) ^ MemoryLines.Touch<Quaternion>(modelRotations) ^ MemoryLines.Touch<Vector3>(modelPositions);
+        int read = MemoryLines.Touch(localRotations, joints) ^ MemoryLines.Touch(localPositions, joints) ^ MemoryLines.Touch(modelRotations, joints) ^ MemoryLines.Touch(modelPositions, joints);
+        read ^= secondary.Fetch();
         if (StandsOnFeet)
         {
             read ^= Legs!.Fetch();
-        }
-
-        foreach (SpringState state in secondary.States)
-        {
-            read ^= MemoryLines.Touch<SpringBone>(state.Bones);
         }
 
         fetched = read;

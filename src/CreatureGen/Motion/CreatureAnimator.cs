@@ -42,7 +42,7 @@ public sealed partial class CreatureAnimator
     private Actor? actor;
     private Vector3? lookAt;
     private MotionSettings settings = MotionSettings.Default;
-    private RootPlace root;
+    private RootPlace root = RootPlace.Identity;
     private GazeSettings? gaze;
 
     /// <summary>An animator for a creature, standing at the origin.</summary>
@@ -58,15 +58,15 @@ public sealed partial class CreatureAnimator
     {
         Profile = profile ?? throw new ArgumentNullException(nameof(profile));
         Skeleton skeleton = profile.Subject.Skeleton;
-        localRotations = new Quaternion[skeleton.Count];
-        localPositions = new Vector3[skeleton.Count];
-        modelRotations = new Quaternion[skeleton.Count];
-        modelPositions = new Vector3[skeleton.Count];
+        joints = skeleton.Count;
+        localRotations = new Quaternion[joints];
+        localPositions = new Vector3[joints];
+        modelRotations = new Quaternion[joints];
+        modelPositions = new Vector3[joints];
         LocalPose.SetToRest(skeleton);
         ForwardKinematics.LocalToModel(skeleton, LocalPose, ModelPose);
         int feet = profile.Legs?.Legs.Length ?? 0;
         events = new EventQueue((2 * feet * WalkingMode.MaxSteps) + (profile.Flight != null ? FlyingMode.MaxBeats : 0) + FallingMode.MaxEvents + feet);
-        root = RootPlace.Identity;
         secondary = new SecondaryMotion(profile.SpringRigs, profile.SpringSettings);
         headGaze = profile.Gaze == null ? null : new HeadGaze(profile.Gaze, profile.Subject);
         secondHead = SecondHead.Of(profile.Subject);

@@ -39,8 +39,18 @@ internal sealed class SecondaryMotion
         }
     }
 
-    /// <summary>What is remembered of each chain.</summary>
-    public ReadOnlySpan<SpringState> States => states;
+    /// <summary>Asks memory for what is remembered of each chain.</summary>
+    /// <returns>See <see cref="MemoryLines.Touch"/>.</returns>
+    public int Fetch()
+    {
+        int read = 0;
+        for (int i = 0; i < rigs.Length; i++)
+        {
+            read ^= MemoryLines.Touch(states[i].Bones, rigs[i].Bones.Length);
+        }
+
+        return read;
+    }
 
     /// <summary>The chains of a skeleton that swing, and how.</summary>
     public static (SpringRig[] Rigs, SpringSettings[] Settings) Of(MotionSubject subject, bool tail)

@@ -154,9 +154,9 @@ internal sealed partial class WalkingMode : ILocomotionMode
     /// <summary>The sharpest turn at a speed ahead, world metres per second, of a creature so many times as large as its model; radians per second.</summary>
     public float SharpestTurn(float speed, float scale, in MotionSettings settings) => clock.SharpestTurn(speed / scale, VelocityBounds.Of(body, settings with { Gravity = GravityOf(settings, scale) }), GravityOf(settings, scale));
 
-    /// <summary>Asks memory for what it remembers of its feet.</summary>
+    /// <summary>Asks memory for what it remembers of its feet and of their sums.</summary>
     /// <returns>See <see cref="MemoryLines.Touch"/>.</returns>
-    public int Fetch() => MemoryLines.Touch<Foot>(planner.Feet);
+    public int Fetch() => MemoryLines.Touch(planner.Feet, body.Legs.Length) ^ placer.Fetch();
 
     /// <summary>How a foot is.</summary>
     public FootReport Report(int leg) => planner.Feet[leg].Report(body.Legs[leg].Ball);

@@ -107,6 +107,9 @@ internal sealed class BodyPlacer
     /// <summary>Fore-aft difference between left and right rear feet, leg lengths.</summary>
     public float Scissor { get; private set; }
 
+    /// <inheritdoc cref="FourierSums.Fetch"/>
+    public int Fetch() => sums.Fetch();
+
     /// <summary>Takes over what another has smoothed; all else follows from the feet with the next placing.</summary>
     public void CopyFrom(BodyPlacer other)
     {
@@ -215,7 +218,6 @@ internal sealed class BodyPlacer
         turnBend.Follow(body, context.RootVelocity, settings.Gravity, Balance, context.Step);
         look.Follow(body, context.Facing, context.Step);
         turnLook.Follow(context.RootVelocity, settings.Gravity * length, context.Step);
-        float bend = TurnBend;
         float spine = settings.Walking.SpineMotion;
         float pelvisYaw = -traits.PelvisYaw * Scissor * spine;
         float chestYaw = body.IsBiped ? traits.ChestYaw * Scissor * spine : -traits.ChestYaw * (front.Left - front.Right) * spine;
@@ -231,8 +233,8 @@ internal sealed class BodyPlacer
         float rolling = emphasis * swing;
         float pelvisRoll = (rolling * traits.PelvisRoll * (rear.LeftLoad - rear.RightLoad)) + idle.Roll;
         float chestRoll = rolling * traits.ChestRoll * (body.IsBiped ? rear.LeftLoad - rear.RightLoad : front.LeftLoad - front.RightLoad);
-        pelvisYaw += idle.Yaw - (body.IsBiped ? 0f : 0.5f * bend);
-        chestYaw += ((body.IsBiped ? 0.35f : 0.5f) * bend) + look.Angle;
+        pelvisYaw += idle.Yaw - (body.IsBiped ? 0f : 0.5f * TurnBend);
+        chestYaw += ((body.IsBiped ? 0.35f : 0.5f) * TurnBend) + look.Angle;
         float gather = body.IsBiped ? 0f : 0.5f * ((rear.Left + rear.Right) - (front.Left + front.Right));
         float supple = traits.Flexion * (StepFlexion + ((1f - StepFlexion) * hindAtOnce));
         float arch = body.IsBiped ? 0f : -clock.Shape.Arch * first.Cosine.All() / feet.Length;

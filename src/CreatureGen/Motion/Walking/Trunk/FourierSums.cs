@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using CreatureGen.Maths;
 
 namespace CreatureGen.Motion.Walking.Trunk;
 
@@ -14,6 +15,10 @@ internal sealed class FourierSums
 
     /// <summary>The sums of each harmonic; the first of the list is of none.</summary>
     public ReadOnlySpan<Harmonic> Harmonics => harmonics;
+
+    /// <summary>Asks memory for the sums over the legs.</summary>
+    /// <returns>See <see cref="MemoryLines.Touch"/>.</returns>
+    public int Fetch() => MemoryLines.Touch(harmonics, ForceResponse.Harmonics + 1);
 
     public void Clear() => Array.Clear(harmonics, 0, harmonics.Length);
 
