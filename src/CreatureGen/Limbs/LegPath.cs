@@ -154,13 +154,9 @@ internal sealed class LegPath
         return radii;
     }
 
-    /// <summary>What radii and offsets of a row are multiplied by. A jointed leg that is stouter to carry its body is so in its femur most: as stout all along it is a hose.</summary>
-    private static float Girth(LegForm form, LegBlueprint leg, float thickness, int row)
-    {
-        float slimness = row < 2 ? 1f : (float)leg.Slimness;
-        slimness = form.Jointed && row >= form.KneeRow && slimness > 1f ? (float)Math.Sqrt(slimness) : slimness;
-        return thickness * (float)leg.Stoutness * slimness * (row >= form.Rows - form.FootRows ? (float)leg.FootSize : 1f);
-    }
+    /// <summary>What radii and offsets of a row are multiplied by.</summary>
+    private static float Girth(LegForm form, LegBlueprint leg, float thickness, int row) =>
+        thickness * (float)leg.Stoutness * (row >= 2 ? (float)leg.Slimness : 1f) * (row >= form.Rows - form.FootRows ? (float)leg.FootSize : 1f);
 
     private static Vector3[] Offset(LegForm form, LegBlueprint leg, float thickness)
     {

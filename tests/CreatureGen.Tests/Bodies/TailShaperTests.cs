@@ -1,8 +1,10 @@
 using System;
 using System.Linq;
+using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
+using CreatureGen.Sampling;
 using Xunit;
 
 namespace CreatureGen.Tests.Bodies;
@@ -61,6 +63,26 @@ public sealed class TailShaperTests
         double[] heights = Heights(TailStyle.Feathers, ShortStep);
         Assert.True(heights[Last] < 0.7 * heights[Last - 2], FormattableString.Invariant($"{heights[Last]} of {heights[Last - 2]} m"));
         Assert.All(Enumerable.Range(StationRing.TailFirst, Last - StationRing.TailFirst), ring => Assert.True(heights[ring + 1] <= heights[ring]));
+    }
+
+    [Fact]
+    public void A_fan_of_feathers_is_arched_from_edge_to_edge()
+    {
+        int fans = 0;
+        for (ulong seed = 22259300; seed < 22259340; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = RequestedKind.Flying });
+            if (creature.Tail.Style == TailStyle.Feathers)
+            {
+                BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
+                BodySkin skin = BodySkin.Span(shape, creature);
+                float arch = Vector3.Dot(skin[Last, 0] - skin[Last, BodyGrid.Segments / 4], shape.Up(Last));
+                Assert.True(arch > 0.25 * creature.Tail.Size, FormattableString.Invariant($"{seed}: {arch / creature.Tail.Size:0.00} of its half width"));
+                fans++;
+            }
+        }
+
+        Assert.True(fans > 3, $"{fans} fans");
     }
 
     /// <summary>Heights above the spine of a tail with an even stalk, metres.</summary>

@@ -45,6 +45,14 @@ public sealed class LegOutlineTests
     }
 
     [Fact]
+    public void A_jointed_leg_has_a_thigh_twice_as_thick_as_all_of_its_shank()
+    {
+        LegOutline outline = LegKinds.Of(LimbArchetype.Insect).Outline;
+        double thigh = outline.Rows.Skip(1).Take(outline.KneeRow - 1).Min(row => row.SideRadius);
+        Assert.All(outline.Rows.Skip(outline.KneeRow + 1).Take(outline.BallRow - outline.KneeRow), row => Assert.True(thigh >= 2 * row.SideRadius, $"{thigh} over {row.SideRadius}"));
+    }
+
+    [Fact]
     public void Few_arched_legs_stand_before_an_eye()
     {
         int covered = 0;

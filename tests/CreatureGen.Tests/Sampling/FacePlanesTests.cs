@@ -11,6 +11,9 @@ namespace CreatureGen.Tests.Sampling;
 
 public sealed class FacePlanesTests
 {
+    /// <summary>How far a skull is above the eyes at least, in their radii.</summary>
+    private const double HalfAnEye = 0.1;
+
     [Fact]
     public void A_broad_face_of_a_mixed_swimmer_rises_in_the_middle_and_is_hollow_beside_it()
     {
@@ -103,6 +106,37 @@ public sealed class FacePlanesTests
                 Assert.Contains(creature.Head.Bumps, bump => bump.Ring == ring - 1.6 && bump.Segment == segment - 1.9 && bump.Amount > 0.02);
             }
         }
+    }
+
+    [Theory]
+    [InlineData(RequestedKind.Walking)]
+    [InlineData(RequestedKind.Flying)]
+    public void The_skull_of_a_strange_creature_ashore_rises_above_its_eyes_and_they_look_ahead(RequestedKind kind)
+    {
+        int faces = 0;
+        for (ulong seed = 22259100; seed < 22259160; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = kind });
+            SpeciesProfile face = SpeciesCatalogue.Find(creature.Body.Blend.Face);
+            EyeBlueprint eyes = creature.Head.Eyes;
+            if (face.Snout == SnoutKind.Beak || face.Class == AnimalClass.Arthropod || eyes.Segment < 4.8)
+            {
+                continue;
+            }
+
+            BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
+            BodySkin skin = BodySkin.Span(shape, creature);
+            SurfacePoint place = skin.At(eyes.Ring, eyes.Segment);
+            double top = Above(place.Position - (place.Normal * (float)(eyes.Sink * eyes.Radius))) + eyes.Radius;
+            double crown = Enumerable.Range(9, 5).Max(ring => Above(skin[ring, 0]));
+            Assert.True(crown > top + (HalfAnEye * eyes.Radius), FormattableString.Invariant($"{seed}: a skull of {crown:0.000} over eyes up to {top:0.000} with a radius of {eyes.Radius:0.000}"));
+            Assert.True(eyes.Forward > 0.65, FormattableString.Invariant($"{seed}: {eyes.Forward:0.00}"));
+            faces++;
+
+            double Above(System.Numerics.Vector3 point) => System.Numerics.Vector3.Dot(point - shape.Centre(StationRing.Brow), shape.Up(StationRing.Brow));
+        }
+
+        Assert.True(faces > 8, $"{faces} faces");
     }
 
     [Fact]

@@ -24,6 +24,9 @@ public sealed class TailFitTests
     private const double HighestRolled = 0.4;
     private const double LeastFlown = 0.05;
 
+    /// <summary>Most that a tail comes down behind two legs for what it goes back: steeper ones are seen between them from the front.</summary>
+    private const double SteepestBalanced = 0.4;
+
     /// <summary>Thickest end of a tail as the tables give it, two thirds along it, and thickest tip in its thickest section (.67 and .34 of the first without the rule), and least fall of an abdomen for each unit that it goes back (level ones without it).</summary>
     private const double ThickestEnd = 0.6;
     private const double ThickestTip = 0.25;
@@ -387,6 +390,24 @@ public sealed class TailFitTests
         }
 
         Assert.NotEqual(0, stings);
+    }
+
+    [Fact]
+    public void No_tail_that_balances_a_mixed_body_on_two_legs_hangs_between_them()
+    {
+        int tails = 0;
+        foreach ((CreatureBlueprint creature, BodyShape shape) in DrawnShapes.Of(RequestedKind.Walking, 0.6, 22259200, 120))
+        {
+            if (creature.Plan == BodyPlan.Theropod && creature.Tail.Style is TailStyle.Plain or TailStyle.Saurian && creature.Body.Blend.First != creature.Body.Blend.Face)
+            {
+                double down = shape.Y[StationRing.TorsoLast] - shape.Y[StationRing.TailTip];
+                double back = shape.Z[StationRing.TorsoLast] - shape.Z[StationRing.TailTip];
+                Assert.True(down < SteepestBalanced * back, FormattableString.Invariant($"{creature.Seed}: comes down by {down / back:0.00} of what it goes back"));
+                tails++;
+            }
+        }
+
+        Assert.True(tails > 8, $"{tails} tails");
     }
 
     [Theory]

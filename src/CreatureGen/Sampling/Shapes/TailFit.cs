@@ -46,7 +46,7 @@ internal static class TailFit
     private const double RowersDiffer = 5;
 
     /// <summary>The same of a bare tail behind an upright body, which is seen between its legs from the front where it falls further.</summary>
-    private const double UprightDegrees = 22;
+    private const double UprightDegrees = 12;
 
     /// <summary>The same of a bare tail behind legs out to the side: one that rises is a round end from behind.</summary>
     private const double TrailingDegrees = 9;
@@ -90,7 +90,7 @@ internal static class TailFit
     // How far a tail may come down for each unit that it goes back, one that balances a body on two legs, and one of an upright body: from the front they are a keel between the legs.
     private const double SteepestTail = 1.1;
     private const double SteepestBalanced = 0.34;
-    private const double SteepestOfUpright = 0.75;
+    private const double SteepestOfUpright = 0.45;
 
     /// <summary>The same of one that flies: it may stand on two legs.</summary>
     private const double SteepestFlown = 0.7;
