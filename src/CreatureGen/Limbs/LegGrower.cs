@@ -138,7 +138,7 @@ internal static class LegGrower
                 for (int q = -1; q <= 1; q++)
                 {
                     double a = q * 0.75;
-                    var p = end.Centre + new Vector3((float)PortableMath.Sin(a) * end.AcrossRadius * 0.95f, 0f, (float)PortableMath.Cos(a) * end.ForeRadius * 0.93f);
+                    var p = end.Centre + new Vector3((float)PortableMath.Sin(a) * end.AcrossRadius * 0.9f, 0f, (float)PortableMath.Cos(a) * end.ForeRadius * 0.89f);
                     p.Y = end.ForeRadius * 0.22f;
                     ends.Tips.Add(new DigitTip(DigitTipKind.Nail, p, new Vector3((float)PortableMath.Sin(a), 0f, (float)PortableMath.Cos(a)), end.ForeRadius * 0.2f, 0f, grown.End[0]));
                 }

@@ -61,6 +61,10 @@ internal static class HeadSampler
     /// <summary>How far the middle of the skull rises where it is as broad as a board and more: flat between the eyes it is a lid.</summary>
     private const double Vault = 0.24;
 
+    // By how much skulls ashore differ in how far they rise: all alike, those of one build are doubles of one another.
+    private const double LowestSkull = 0.8;
+    private const double HighestSkull = 1.5;
+
     // How far ahead eyes ashore are drawn to look, and by how much of what they lack.
     private const double LooksAhead = 0.85;
     private const double AheadShare = 0.7;
@@ -196,8 +200,9 @@ internal static class HeadSampler
             double ashore = builder.Kind == LocomotionKind.Swimming ? 0 : builder.Fitting;
             Add(5.6, 0, 2.7, 1.1, NoseBridge * ashore);
             Add(6.6, 2.9, 2, 1.2, -BesideNose * ashore);
-            Add(12, 0, 2.2, 4.2, ashore * Crown(builder.Shape, eyes));
-            Add(11, 0, 3, 3, ashore * Vault * Scalar.Smooth(Breadth(builder.Shape) - Level));
+            double own = builder.Stream("crown").Uniform(LowestSkull, HighestSkull);
+            Add(12, 0, 2.2, 4.2, ashore * own * Crown(builder.Shape, eyes));
+            Add(11, 0, 3, 3, ashore * own * Vault * Scalar.Smooth(Breadth(builder.Shape) - Level));
             (double broadest, double drawnIn) = builder.Kind == LocomotionKind.Swimming ? (MuzzleInWater, DrawnInWater) : (Muzzle, DrawnIn);
             Add(3, 8, 2.4, 16, -Math.Max(fitting, Mixed(builder)) * Scalar.Clamp(1 - (broadest / MuzzleBreadth(builder.Shape)), 0, drawnIn));
         }

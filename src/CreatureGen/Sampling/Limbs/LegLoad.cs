@@ -11,7 +11,7 @@ namespace CreatureGen.Sampling.Limbs;
 internal static class LegLoad
 {
     // Most that a leg gets thicker by below its thigh: of an insect's, whose femur swells to twice its coxa as a beetle's does, and of those with folded knees under a body, whose shank would cross the thigh.
-    private const double MaxOfJointed = 2.5;
+    private const double MaxOfJointed = 2.65;
     private const double MaxOfFolded = 1.2;
 
     /// <summary>Thickness that a bird's trunk asks for, relative to others of its size: much of it is feathers.</summary>

@@ -37,7 +37,7 @@ internal static class TailFit
     // How far a bare tail behind legs under the body falls at least, and how far its tip bends back out, degrees: one that is held up is a spike from behind. A tail that balances a body on two legs falls less.
     private const double HungDegrees = 34;
     private const double TipDegrees = 22;
-    private const double BalancingDegrees = 12;
+    private const double BalancingDegrees = 13;
 
     /// <summary>Least that the last third of a bare tail falls behind the rump, degrees: one that bends up to the level has a round end for who is behind it.</summary>
     private const double TipFallDegrees = 16;
@@ -46,7 +46,7 @@ internal static class TailFit
     private const double RowersDiffer = 5;
 
     /// <summary>The same of a bare tail behind an upright body, which is seen between its legs from the front where it falls further.</summary>
-    private const double UprightDegrees = 12;
+    private const double UprightDegrees = 16;
 
     /// <summary>The same of a bare tail behind legs out to the side: one that rises is a round end from behind.</summary>
     private const double TrailingDegrees = 9;
@@ -55,7 +55,7 @@ internal static class TailFit
     private const double WeightedDegrees = 15;
 
     /// <summary>The same of a bare tail of a flier: a level one is not seen from behind, and the rump is a block.</summary>
-    private const double FlownDegrees = 23;
+    private const double FlownDegrees = 16;
 
     // The same of a swimmer's with flukes or without a fin, within what its spine may slope, and of what rows, whose tail is short.
     private const double FlukeDegrees = 9;
@@ -89,11 +89,11 @@ internal static class TailFit
 
     // How far a tail may come down for each unit that it goes back, one that balances a body on two legs, and one of an upright body: from the front they are a keel between the legs.
     private const double SteepestTail = 1.1;
-    private const double SteepestBalanced = 0.34;
-    private const double SteepestOfUpright = 0.45;
+    private const double SteepestBalanced = 0.38;
+    private const double SteepestOfUpright = 0.58;
 
     /// <summary>The same of one that flies: it may stand on two legs.</summary>
-    private const double SteepestFlown = 0.7;
+    private const double SteepestFlown = 0.5;
 
     // Least tail of what flies and of what balances on two legs, against the trunk, that of others whose tail is of a family or bare, and most that it is made longer by: without one the trunk ends like a block behind the legs.
     private const double LeastTail = 0.35;
