@@ -27,7 +27,7 @@ internal static class GillMarks
     private const float CoverBend = 2.4f;
     private const float CoverMiddle = 1.75f;
     private const float CoverReach = 0.95f;
-    private const float Line = 0.28f;
+    private const float Line = 0.34f;
 
     // Slits: rings of the first and the last, how many, and how broad each is in distances.
     private const float FirstSlit = 11.6f;

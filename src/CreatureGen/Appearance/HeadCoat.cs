@@ -42,7 +42,7 @@ internal sealed class HeadCoat
     private const float PaleLineShade = 0.75f;
 
     /// <summary>How much darker than the coat gills are.</summary>
-    private const float GillShade = 0.55f;
+    private const float GillShade = 0.68f;
 
     /// <summary>How far back the leather of a nose may reach over its bridge, relative to the nostrils.</summary>
     private const double LeatherEnd = 0.9;

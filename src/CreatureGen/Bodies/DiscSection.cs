@@ -12,11 +12,13 @@ internal sealed class DiscSection
     private const double Broad = 1.7;
     private const double Broadening = 2.6;
 
-    // The dome: how far it reaches to the side in half widths, how much higher than told its top and its belly are, and what of the height is left where the wings begin.
+    // The dome: its thickness in spans that discs are drawn to and how far, how much of it is above the spine and below against what is told, how far it reaches to the side in half widths, and what of its height the wings have.
+    private const double Thickness = 0.165;
+    private const double Drawn = 0.8;
+    private const double Back = 1.1;
+    private const double Belly = 0.87;
     private const double Dome = 0.62;
-    private const double Back = 1.4;
-    private const double Belly = 1.15;
-    private const double Wing = 0.24;
+    private const double Wing = 0.22;
 
     // Parts of the greatest half width: how far the wings bow ahead in their middle, and how far the edge goes up and down; and how many waves there are from nose to tail, and how much a wave lies behind at the edge.
     private const double Bow = 0.11;
@@ -31,17 +33,21 @@ internal sealed class DiscSection
     private readonly DiscBlueprint disc;
     private readonly double widest;
     private readonly double length;
+    private readonly double thicker;
 
     /// <summary>Takes the sections of a body and how its edges lie.</summary>
     public DiscSection(BodyShape shape, DiscBlueprint disc)
     {
         this.shape = shape;
         this.disc = disc;
+        int middle = 0;
         for (int i = 0; i < StationRing.TailFirst; i++)
         {
-            widest = Math.Max(widest, shape.Width[i]);
+            middle = shape.Width[i] > shape.Width[middle] ? i : middle;
         }
 
+        widest = shape.Width[middle];
+        thicker = PortableMath.Pow(2 * widest * Thickness / (shape.Top[middle] + shape.Bottom[middle]), Drawn);
         length = shape.Arc[StationRing.TailFirst];
     }
 
@@ -53,8 +59,8 @@ internal sealed class DiscSection
     {
         double half = y > 0 ? shape.Top[ring] : shape.Bottom[ring];
         double u = Math.Min(1, x / Math.Max(shape.Width[ring], 1e-6));
-        double dome = Scalar.Lerp(Wing * (1 - (u * u)), 1, 1 - Scalar.Smooth(u / Dome));
-        double height = half * (y > 0 ? Back : Belly) * dome;
+        double dome = Scalar.Lerp(Wing * Math.Sqrt(1 - (u * u)), 1, 1 - Scalar.Smooth(u / Dome));
+        double height = half * thicker * (y > 0 ? Back : Belly) * dome;
         return (float)Scalar.Lerp(y, y > 0 ? height : -height, Winged(ring));
     }
 

@@ -28,9 +28,9 @@ public sealed class DiscSectionTests
             float thick = skin[ring, 0].Y - skin[ring, Belly].Y;
             Assert.True(thick > Thinnest * span, FormattableString.Invariant($"{name}: {thick / span:0.000} spans thick"));
 
-            // Of a tent the height falls with the way from the ridge.
+            // Of the tent that it was .82 of the height is left here.
             float beside = HeightAt(skin, ring, 0.12f * span / 2) / HeightAt(skin, ring, 0);
-            Assert.True(beside > 0.93f, FormattableString.Invariant($"{name}: {beside:0.00} of its height beside the ridge"));
+            Assert.True(beside > 0.88f, FormattableString.Invariant($"{name}: {beside:0.00} of its height beside the ridge"));
         }
     }
 

@@ -87,14 +87,14 @@ internal sealed record FinAnatomy(
         paddle,
         new[] { new TailChoice(TailStyle.Plain, 1), new TailChoice(TailStyle.Lance, 1) });
 
-    /// <summary>A dorsal fin on the rear half of the back or none, one pair of flippers, a fluke.</summary>
+    /// <summary>A dorsal fin behind the shoulders or none, one pair of flippers, a fluke.</summary>
     public static FinAnatomy Whale { get; } = new(
         new CountRange(0, 1),
         new CountRange(0, 0),
-        new CountRange(6, 10),
-        33,
+        new CountRange(5, 14),
+        29,
         42,
-        new[] { new FinChoice(FinStyle.Shark, 1), new FinChoice(FinStyle.Carp, 0.3) },
+        new[] { new FinChoice(FinStyle.Shark, 1), new FinChoice(FinStyle.Carp, 0.4), new FinChoice(FinStyle.Ray, 0.3) },
         new CountRange(1, 1),
         new[] { new FinSite(24, 10, 1) },
         flippers,

@@ -27,12 +27,11 @@ internal static class BodySampler
     private const double LaidNeck = 14;
 
     // Degrees by which the tail of a swimmer rises and falls from its back.
-    private const double RisingTail = -5;
-    private const double FallingTail = 11;
+    private const double RisingTail = -6;
+    private const double FallingTail = 12;
 
-    /// <summary>How far the edges of a ray are bent at least, metres at one metre from the midline, and by how much a level one is: level, it is a spindle from the side.</summary>
+    /// <summary>How far the edges of a ray are bent at least, metres at one metre from the midline: level, it is a spindle from the side.</summary>
     private const double LeastCurl = 0.38;
-    private const double Level = 0.06;
 
     /// <summary>Fills in all of the creature that does not depend on how the creature stands.</summary>
     public static void Sample(CreatureBuilder builder)
@@ -64,7 +63,7 @@ internal static class BodySampler
     {
         (double sweep, double min, double max) = builder.Species.Disc;
         double curl = min == max ? min : builder.Stream("disc").Uniform(min, max);
-        return new DiscBlueprint(sweep, curl + (Scalar.Clamp(curl / Level, -1, 1) * LeastCurl));
+        return new DiscBlueprint(sweep, curl + (curl < 0 ? -LeastCurl : LeastCurl));
     }
 
     /// <summary>The parents in their shares; the head and the tail rather of those that give them.</summary>

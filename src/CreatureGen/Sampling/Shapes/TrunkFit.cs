@@ -108,8 +108,11 @@ internal static class TrunkFit
     private const double MaxRoot = 1.3;
     private const double MinRoot = 0.7;
 
-    /// <summary>By how much the chest, the belly, the hips and the stem of the tail of swimmers differ, as powers of e to both sides: fitted to one line all whales and eels have the same back and belly.</summary>
-    private const double Figure = 0.2;
+    // By how much the chest, the belly, and the hips with the stem of the tail of swimmers are smaller and larger at most than the rules make them, as powers of e: fitted to one line all whales and eels have the same back and belly.
+    private const double Smaller = 0.22;
+    private const double LargerChest = 0.16;
+    private const double LargerBelly = 0.06;
+    private const double SlenderStock = 0.34;
 
     // Broadest trunk against its depth that legs under the body carry without looking like those of a table, and what of the excess the depth and the breadth give way by.
     private const double Broad = 1.25;
@@ -239,9 +242,9 @@ internal static class TrunkFit
         };
         double flat = armoured ? 1 : Math.Max(1, outline.Breadth / flattest);
         RandomStream figure = builder.Stream("figure of a swimmer");
-        double chest = Drawn();
-        double paunch = Drawn();
-        double stock = Drawn();
+        double chest = Drawn(Smaller, LargerChest);
+        double paunch = Drawn(Smaller, LargerBelly);
+        double stock = Drawn(SlenderStock, 0);
         double belly = Size(shape, StationRing.Belly);
         double hips = Size(shape, StationRing.Pelvis);
         double thin = Math.Min(1, Hips * stock * belly / hips);
@@ -260,7 +263,7 @@ internal static class TrunkFit
             TailGirth = drawn.TailGirth * Scalar.Clamp(PortableMath.Pow(wanted / root, strange), MinRoot, MaxRoot),
         };
 
-        double Drawn() => PortableMath.Exp(Figure * strange * figure.Uniform(-1, 1));
+        double Drawn(double smaller, double larger) => PortableMath.Exp(strange * figure.Uniform(-smaller, larger));
     }
 
     /// <summary>Greatest depth of a section between the girdles against its own breadth.</summary>
