@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Preview.Pictures;
 using CreatureGen.Preview.Scenes;
@@ -226,6 +227,18 @@ public static class Renderer
             return Vec.Normalize((normal * ((2f * texel.Z) - 1f)) + (alongU * ((2f * texel.X) - 1f)) - (alongV * ((2f * texel.Y) - 1f)), normal);
         }
 
+        /// <summary>The last level on which the charts of an atlas are apart, which are so by 2/256 of its side: on smaller ones the edge of a chart takes on the colour of the next, a pale tick on the back that is seen aslant.</summary>
+        private static int LastApart(Texture texture)
+        {
+            int level = 0;
+            while (texture.Width >> (level + 1) >= CreatureTextures.SmallestSize)
+            {
+                level++;
+            }
+
+            return level;
+        }
+
         private Vector3 Sample(Texture texture, in ScreenTriangle triangle, float a, float b, float c, int i0, int i1, int i2)
         {
             Vector2 t0 = mesh.Texcoords[i0];
@@ -236,7 +249,7 @@ public static class Renderer
             float texels = Math.Abs(((t1.X - t0.X) * (t2.Y - t0.Y)) - ((t2.X - t0.X) * (t1.Y - t0.Y))) * texture.Width * texture.Height;
             const float Square = 1f / (ScreenProjection.SubPixel * ScreenProjection.SubPixel);
             float pixels = (((float)(triangle.X1 - triangle.X0) * (triangle.Y2 - triangle.Y0)) - ((float)(triangle.X2 - triangle.X0) * (triangle.Y1 - triangle.Y0))) * Square;
-            return texture.Sample(u, v, Texture.LevelFor(texels / Math.Max(1e-6f, pixels)));
+            return texture.Sample(u, v, Math.Min(Texture.LevelFor(texels / Math.Max(1e-6f, pixels)), LastApart(texture)));
         }
     }
 }
