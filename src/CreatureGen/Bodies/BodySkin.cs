@@ -99,7 +99,7 @@ internal sealed class BodySkin
                 if (disc != null)
                 {
                     along += disc.Along(x[j]);
-                    lift = disc.Lift(i, x[j]);
+                    lift += disc.Lift(i, x[j]);
                 }
 
                 Vector3 p = centre + (up * (y[j] + lift)) + (forward * along);

@@ -62,6 +62,11 @@ internal static class BodySampler
     private static DiscBlueprint Disc(CreatureBuilder builder)
     {
         (double sweep, double min, double max) = builder.Species.Disc;
+        if (sweep == 0)
+        {
+            return new DiscBlueprint(0, 0);
+        }
+
         double curl = min == max ? min : builder.Stream("disc").Uniform(min, max);
         return new DiscBlueprint(sweep, curl + (curl < 0 ? -LeastCurl : LeastCurl));
     }

@@ -109,7 +109,8 @@ internal static class TrunkFit
     private const double MinRoot = 0.7;
 
     // By how much the chest, the belly, and the hips with the stem of the tail of swimmers are smaller and larger at most than the rules make them, as powers of e: fitted to one line all whales and eels have the same back and belly.
-    private const double Smaller = 0.22;
+    private const double SmallerChest = 0.13;
+    private const double SmallerBelly = 0.1;
     private const double LargerChest = 0.16;
     private const double LargerBelly = 0.06;
     private const double SlenderStock = 0.34;
@@ -242,8 +243,8 @@ internal static class TrunkFit
         };
         double flat = armoured ? 1 : Math.Max(1, outline.Breadth / flattest);
         RandomStream figure = builder.Stream("figure of a swimmer");
-        double chest = Drawn(Smaller, LargerChest);
-        double paunch = Drawn(Smaller, LargerBelly);
+        double chest = Drawn(SmallerChest, LargerChest);
+        double paunch = Drawn(SmallerBelly, LargerBelly);
         double stock = Drawn(SlenderStock, 0);
         double belly = Size(shape, StationRing.Belly);
         double hips = Size(shape, StationRing.Pelvis);
