@@ -29,6 +29,10 @@ internal sealed class LimbProfile
     /// <summary>The same at the ball of a foot, where heels and hind toes would sink as it rolls.</summary>
     private const float WidestAtBall = 0.45f;
 
+    // By which share of its span farther out a wing is all its own at the trailing edge, and what part of the skin at its root the flank holds there beside the leading edge: it grows along the flank, and what turned with the arm stood up as spikes where it folds.
+    private const float HeldByFlank = 0.2f;
+    private const float HeldAtRoot = 0.7f;
+
     private const int Ball = 3;
 
     private readonly Appendage appendage;
@@ -121,7 +125,9 @@ internal sealed class LimbProfile
     public void Add(ref InfluenceList list, Vector3 position, in VertexAddress address, in SpineBlend body, float hold)
     {
         float x = Scalar.Clamp(address.Along, 0f, 1f);
-        float own = (rootFraction + ((1f - rootFraction) * Scalar.Smooth(x / rootEnd))) * hold;
+        float chord = appendage.Kind == LimbKind.Wing ? 0.5f * (1f - (float)PortableMath.Cos(address.Around)) : 0f;
+        float first = rootFraction * (1f - (HeldAtRoot * chord));
+        float own = (first + ((1f - first) * Scalar.Smooth(x / (rootEnd + (HeldByFlank * chord))))) * hold;
         float rest = 1f - own;
         int root = legged ? 1 : 0;
         if (legged)
