@@ -122,7 +122,7 @@ internal sealed class LegRig
         AcrossSign = Vec.Dot(across, Hinge) < 0f ? -1f : 1f;
         Skew = Hinge - (across * AcrossSign);
         KneeRest = skeleton.Joints[Knee].LocalRotation;
-        limits = new LegLimits(skeleton, Side, Hip, Knee, Ankle, Ball);
+        limits = new LegLimits(skeleton, Side, Hip, Knee, Ankle, Ball, Traits.Linkage == LegLinkage.Pantograph);
         LandsIn = AsideRange(limits.DrawsIn * LandingFraction);
         LandsOut = AsideRange(limits.DrawsOut * LandingFraction);
         Vector3 a = Vec.Reject(upper, Hinge);

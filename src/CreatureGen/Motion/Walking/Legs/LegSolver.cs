@@ -260,8 +260,10 @@ internal static class LegSolver
         Vector3 carried = Rotation.Rotate(carrier, leg.Hinge);
         if (!leg.Lateral)
         {
-            // Half with the pelvis, half with the foot.
-            return carried + (Rotation.Rotate(heading, leg.Hinge) * 0.5f) + (leg.Hinge * 0.5f);
+            // With the foot as far as its ankle asks, with the pelvis and the way of the body for the rest.
+            float share = leg.Limits.FootShare;
+            float rest = (1f - share) / (1f - LegLimits.LeastFootShare);
+            return (carried * rest) + (Rotation.Rotate(heading, leg.Hinge) * (2f * share)) + (leg.Hinge * (0.5f * rest));
         }
 
         // The leg's plane stands upright through hip and ankle; the share of the body's own axis keeps it when the foot is nearly below the hip.
