@@ -89,12 +89,13 @@ public sealed class CourseBoundsTests
     public void What_stands_of_a_foot_is_not_dragged_as_that_turns_or_rolls(ulong seed, string script, float slip) => Hold(RequestedKind.Walking, seed, script, CreatureOptions.Default.Strangeness, 60f, slip);
 
     /// <summary>
-    /// On hills feet on an edge of their sole were laid half way and dragged by the rest (.021), and hips came to their end in the last moments of a stance (.015 and .027).
+    /// On hills feet on an edge of their sole were laid half way and dragged by the rest (.021), hips came to their end in the last moments of a stance (.015 and .027), and feet of pillars were turned along with the body (.017).
     /// </summary>
     [Theory]
     [InlineData(22400018UL, 0.01f)]
     [InlineData(22400033UL, 0.005f)]
     [InlineData(22400014UL, 0.015f)]
+    [InlineData(22400005UL, 0.01f)]
     public void Neither_ankles_nor_hips_at_their_end_drag_feet_on_hills(ulong seed, float slip) => Hold(RequestedKind.Walking, seed, "mixed", CreatureOptions.Default.Strangeness, 60f, slip);
 
     private static void Hold(RequestedKind kind, ulong seed, string script, double strangeness, float radiansPerSecond, float slip)
