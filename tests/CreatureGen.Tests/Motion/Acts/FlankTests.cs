@@ -7,6 +7,8 @@ using CreatureGen.Creatures;
 using CreatureGen.Inspection;
 using CreatureGen.Maths;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Metrics;
+using CreatureGen.Motion.Subjects;
 using CreatureGen.Rigging;
 using CreatureGen.Sampling;
 using CreatureGen.Skinning;
@@ -47,6 +49,23 @@ public class FlankTests
         }
 
         Assert.Empty(wrong);
+    }
+
+    /// <summary>Wings at rest are spread, and were held to keep a body off its flanks, on which they are folded: all fliers crouched as they died, as if alive.</summary>
+    [Theory]
+    [InlineData(22300000UL)]
+    [InlineData(22300005UL, Explicit = true)]
+    [InlineData(22300010UL, Explicit = true)]
+    [InlineData(22300073UL, Explicit = true)]
+    public void Who_has_wings_dies_on_a_folded_one_and_sleeps_on_its_belly(ulong seed)
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Flying }));
+        Assert.True(SpreadWings.Of(profile.Subject));
+        var dead = new Lying(profile, profile.Acts.Find("Die"));
+        Assert.InRange(dead.Turned, 1f, 2.1f);
+        Assert.InRange(dead.Height, 0f, 0.65f);
+        Assert.InRange(dead.HeightAgain(), 0.95f, 1.05f);
+        Assert.InRange(new Lying(profile, profile.Acts.Find("Sleep")).Turned, 0f, 0.8f);
     }
 
     /// <summary>They stayed on their legs with their heads up, and looked tired.</summary>
@@ -96,6 +115,17 @@ public class FlankTests
     [InlineData(21200107UL, "Die", Explicit = true)]
     public void No_joint_of_an_upright_body_whirls_as_it_lies_down_on_its_side(ulong seed, string act) =>
         NoJointWhirls(new MotionProfile(KeptCreatures.Of(seed)), act);
+
+    /// <summary>Feet of legs on their way behind the body were taken below hips that had come down already, and whirled about these at 270 rad/s; one that no longer stood was turned about an edge of its sole at 380.</summary>
+    [Theory]
+    [InlineData(21201002UL, "Lie")]
+    [InlineData(21201002UL, "Die")]
+    [InlineData(21200602UL, "Die")]
+    public void No_leg_of_an_upright_body_whirls_as_it_lies_down(ulong seed, string act)
+    {
+        var profile = new MotionProfile(KeptCreatures.Of(seed));
+        Assert.InRange(ActTrial.Of(profile).Single(trial => trial.Ability.Act.Name == act).Run(profile).JointSpeed, 0f, 60f);
+    }
 
     private static void NoJointWhirls(MotionProfile profile, string act)
     {

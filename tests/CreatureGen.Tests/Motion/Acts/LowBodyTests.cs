@@ -121,20 +121,6 @@ public class LowBodyTests
         Assert.InRange(animator.ModelPose.Positions[body.Body].Y - body.Depth, -1f, 0.15f * body.Legs!.BellyHeight);
     }
 
-    /// <summary>Spread wings keep it off its flank: it squatted with its chest up, and let its head hang.</summary>
-    [Theory]
-    [InlineData(12420011UL)]
-    [InlineData(12420002UL, Explicit = true)]
-    public void Who_dies_on_two_legs_under_spread_wings_tips_over_onto_its_breast(ulong seed)
-    {
-        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Flying }));
-        Assert.False(profile.Acts.Body.Has.HasFlag(ActNeeds.Flanks));
-        CreatureAnimator animator = Performing(profile, "Die", out ActAbility die);
-        float stood = Height(animator, JointRole.Chest);
-        Walkers.Run(animator, die.SecondsToLast, Rate, default, FlatGround.Level);
-        Assert.InRange(Height(animator, JointRole.Chest) / stood, 0f, 0.4f);
-    }
-
     /// <summary>Laid back as feelers are it would go into the ground.</summary>
     [Fact]
     public void What_points_back_is_not_laid_back_with_the_ears()
