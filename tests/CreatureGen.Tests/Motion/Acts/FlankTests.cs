@@ -63,7 +63,7 @@ public class FlankTests
         Assert.True(SpreadWings.Of(profile.Subject));
         var dead = new Lying(profile, profile.Acts.Find("Die"));
         Assert.InRange(dead.Turned, 1f, 2.1f);
-        Assert.InRange(dead.Height, 0f, 0.65f);
+        Assert.InRange(dead.Height, 0f, 0.75f);
         Assert.InRange(dead.HeightAgain(), 0.95f, 1.05f);
         Assert.InRange(new Lying(profile, profile.Acts.Find("Sleep")).Turned, 0f, 0.8f);
     }

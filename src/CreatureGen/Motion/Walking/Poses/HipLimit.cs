@@ -22,8 +22,8 @@ internal readonly struct HipLimit
     private const float Arrival = 0.85f;
 
     /// <summary>How far its joints keep a foot from lying that an act has let go of until it no longer tries, half the angle in radians: whirled about an edge of its sole it would flip.</summary>
-    private const float StillLies = 0.35f;
-    private const float LiesNoMore = 0.6f;
+    private const float StillLies = 0.2f;
+    private const float LiesNoMore = 0.4f;
 
     private readonly bool raised;
 
