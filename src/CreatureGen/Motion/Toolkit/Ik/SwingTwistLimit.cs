@@ -30,13 +30,11 @@ public static class SwingTwistLimit
     /// <param name="turn">Unit quaternion, in the joint's own axes: rest⁻¹ · local.</param>
     /// <param name="limit">What it may be.</param>
     /// <returns>The turn itself, to the bit, when it is within the limit.</returns>
-    public static Quaternion Clamp(Quaternion turn, JointLimit limit)
-    {
-        if (new SwingTwistBounds(limit).Hold(turn))
-        {
-            return turn;
-        }
+    public static Quaternion Clamp(Quaternion turn, JointLimit limit) => new SwingTwistBounds(limit).Hold(turn) ? turn : ClampUnheld(turn, limit);
 
+    /// <summary>The same of a turn that its bounds do not tell to be within.</summary>
+    private static Quaternion ClampUnheld(Quaternion turn, JointLimit limit)
+    {
         Split(turn, out double x, out double z, out double twist);
         double boundedTwist = Scalar.Clamp(twist, limit.Twist.Min, limit.Twist.Max);
         double boundedX = x;
@@ -78,7 +76,7 @@ public static class SwingTwistLimit
         }
     }
 
-    /// <summary>A local rotation that is near its joint's limit, or beyond.</summary>
+    /// <summary>A local rotation that is near its joint's limit, or beyond: of a bone along its own +Y, one that its bounds do not hold, which is not asked again.</summary>
     internal static Quaternion ClampNear(Quaternion local, Joint joint)
     {
         Quaternion rest = joint.LocalRotation;
@@ -88,7 +86,7 @@ public static class SwingTwistLimit
             return ClampAlong(local, rest, turn, joint);
         }
 
-        Quaternion bounded = Clamp(turn, joint.Limit);
+        Quaternion bounded = ClampUnheld(turn, joint.Limit);
         return bounded == turn ? local : Rotation.Normalize(Rotation.Multiply(rest, bounded));
     }
 
