@@ -24,8 +24,8 @@ public sealed class TailFitTests
     private const double HighestRolled = 0.4;
     private const double LeastFlown = 0.05;
 
-    /// <summary>Most that a tail comes down behind two legs for what it goes back: steeper ones are seen between them from the front.</summary>
-    private const double SteepestBalanced = 0.42;
+    /// <summary>Most that half of the tails behind two legs come down for what they go back (.306 before): steeper ones are seen between them from the front.</summary>
+    private const double Balanced = 0.25;
 
     /// <summary>Thickest end of a tail as the tables give it, two thirds along it, and thickest tip in its thickest section (.67 and .34 of the first without the rule), and least fall of an abdomen for each unit that it goes back (level ones without it).</summary>
     private const double ThickestEnd = 0.6;
@@ -393,22 +393,14 @@ public sealed class TailFitTests
     }
 
     [Fact]
-    public void No_tail_that_balances_a_mixed_body_on_two_legs_hangs_between_them()
+    public void Tails_that_balance_a_mixed_body_on_two_legs_seldom_hang_between_them()
     {
-        int tails = 0;
-        foreach ((CreatureBlueprint creature, BodyShape shape) in DrawnShapes.Of(RequestedKind.Walking, 0.6, 22259200, 120))
-        {
-            bool low = shape.Y[StationRing.TailTip] < 0.7 * shape.Y[StationRing.TorsoLast];
-            if (creature.Plan == BodyPlan.Theropod && creature.Tail.Style == TailStyle.Saurian && low)
-            {
-                double down = shape.Y[StationRing.TorsoLast] - shape.Y[StationRing.TailTip];
-                double back = shape.Z[StationRing.TorsoLast] - shape.Z[StationRing.TailTip];
-                Assert.True(down < SteepestBalanced * back, FormattableString.Invariant($"{creature.Seed}: comes down by {down / back:0.00} of what it goes back"));
-                tails++;
-            }
-        }
-
-        Assert.True(tails > 2, $"{tails} tails");
+        double[] falls = DrawnShapes.Of(RequestedKind.Walking, 0.6, 22259200, 200)
+            .Where(drawn => drawn.Creature.Plan == BodyPlan.Theropod && drawn.Creature.Tail.Style is TailStyle.Plain or TailStyle.Saurian)
+            .Select(drawn => (drawn.Shape.Y[StationRing.TorsoLast] - drawn.Shape.Y[StationRing.TailTip]) / (drawn.Shape.Z[StationRing.TorsoLast] - drawn.Shape.Z[StationRing.TailTip]))
+            .Order()
+            .ToArray();
+        Assert.True(falls.Length > 20 && falls[falls.Length / 2] < Balanced, FormattableString.Invariant($"half of {falls.Length} come down by {falls[falls.Length / 2]:0.000} or more of what they go back"));
     }
 
     [Theory]

@@ -62,8 +62,8 @@ internal static class HeadSampler
     private const double Vault = 0.24;
 
     // By how much skulls ashore differ in how far they rise: all alike, those of one build are doubles of one another.
-    private const double LowestSkull = 0.8;
-    private const double HighestSkull = 1.5;
+    private const double LowestSkull = 0.75;
+    private const double HighestSkull = 1.3;
 
     // How far ahead eyes ashore are drawn to look, and by how much of what they lack.
     private const double LooksAhead = 0.85;

@@ -89,8 +89,8 @@ internal static class TailFit
 
     // How far a tail may come down for each unit that it goes back, one that balances a body on two legs, and one of an upright body: from the front they are a keel between the legs.
     private const double SteepestTail = 1.1;
-    private const double SteepestBalanced = 0.38;
-    private const double SteepestOfUpright = 0.58;
+    private const double SteepestBalanced = 0.45;
+    private const double SteepestOfUpright = 0.75;
 
     /// <summary>The same of one that flies: it may stand on two legs.</summary>
     private const double SteepestFlown = 0.5;
