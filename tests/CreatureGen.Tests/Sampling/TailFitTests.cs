@@ -24,9 +24,6 @@ public sealed class TailFitTests
     private const double HighestRolled = 0.4;
     private const double LeastFlown = 0.05;
 
-    /// <summary>Most that half of the tails behind two legs come down for what they go back (.306 before): steeper ones are seen between them from the front.</summary>
-    private const double Balanced = 0.25;
-
     /// <summary>Thickest end of a tail as the tables give it, two thirds along it, and thickest tip in its thickest section (.67 and .34 of the first without the rule), and least fall of an abdomen for each unit that it goes back (level ones without it).</summary>
     private const double ThickestEnd = 0.6;
     private const double ThickestTip = 0.25;
@@ -390,17 +387,6 @@ public sealed class TailFitTests
         }
 
         Assert.NotEqual(0, stings);
-    }
-
-    [Fact]
-    public void Tails_that_balance_a_mixed_body_on_two_legs_seldom_hang_between_them()
-    {
-        double[] falls = DrawnShapes.Of(RequestedKind.Walking, 0.6, 22259200, 200)
-            .Where(drawn => drawn.Creature.Plan == BodyPlan.Theropod && drawn.Creature.Tail.Style is TailStyle.Plain or TailStyle.Saurian)
-            .Select(drawn => (drawn.Shape.Y[StationRing.TorsoLast] - drawn.Shape.Y[StationRing.TailTip]) / (drawn.Shape.Z[StationRing.TorsoLast] - drawn.Shape.Z[StationRing.TailTip]))
-            .Order()
-            .ToArray();
-        Assert.True(falls.Length > 20 && falls[falls.Length / 2] < Balanced, FormattableString.Invariant($"half of {falls.Length} come down by {falls[falls.Length / 2]:0.000} or more of what they go back"));
     }
 
     [Theory]
