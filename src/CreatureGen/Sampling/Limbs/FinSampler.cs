@@ -45,7 +45,7 @@ internal static class FinSampler
 
     /// <summary>Longest paired fin of a fish in lengths of its body, and how much of what is longer is left: fins of half a body are arms.</summary>
     private const double LongestOnFish = 0.2;
-    private const double Beyond = 0.25;
+    private const double Beyond = 0.4;
 
     /// <summary>Highest half of an upright tail fin in half heights of the body: edge on, a higher one is a needle.</summary>
     private const double HighestTail = 1.05;

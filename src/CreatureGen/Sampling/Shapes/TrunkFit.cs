@@ -110,7 +110,7 @@ internal static class TrunkFit
 
     // By how much the chest, the belly, and the hips with the stem of the tail of swimmers are smaller and larger at most than the rules make them, as powers of e: fitted to one line all whales and eels have the same back and belly.
     private const double SmallerChest = 0.13;
-    private const double SmallerBelly = 0.1;
+    private const double SmallerBelly = 0.05;
     private const double LargerChest = 0.16;
     private const double LargerBelly = 0.06;
     private const double SlenderStock = 0.34;
