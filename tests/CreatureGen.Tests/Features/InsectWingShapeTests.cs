@@ -2,6 +2,7 @@ using System.Linq;
 using System.Numerics;
 using System;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Wings;
 using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
 using CreatureGen.Creatures;
@@ -110,6 +111,27 @@ public sealed class InsectWingShapeTests
         Piece wing = Build(new InsectWingBlueprint(26, 2.5, 0.7, 0.15, -1.2, 0.2));
         Assert.True(wing.Positions.Min(p => p.Z) < back.Position.Z - 0.55f);
         Assert.True(wing.Positions.Min(p => p.X) < back.Position.X);
+    }
+
+    /// <summary>Hind wings went .09 over the midline, where they pushed through one another.</summary>
+    [Fact]
+    public void Hind_wings_that_are_raised_over_the_back_keep_off_the_midline()
+    {
+        Piece wing = Build(new InsectWingBlueprint(30, 2.5, 1.05, 0.82, -0.28, 0.66, ThinWingStyle.ButterflyHind));
+        Assert.True(wing.Positions.Min(p => p.X) > 0f, FormattableString.Invariant($"{wing.Positions.Min(p => p.X)}"));
+    }
+
+    /// <summary>A tail of three points was a square bite beside it.</summary>
+    [Fact]
+    public void Outlines_of_hind_wings_of_butterflies_bend_one_way_all_round_their_tip()
+    {
+        ThinWingForm form = ThinWingForm.Of(ThinWingStyle.ButterflyHind)!;
+        WingPoint[] rim = [.. Enumerable.Range(8, form.Rows - 8).Select(row => form.At(row, 0)), .. Enumerable.Range(8, form.Rows - 8).Reverse().Select(row => form.At(row, 1))];
+        for (int i = 2; i < rim.Length; i++)
+        {
+            double turn = ((rim[i - 1].X - rim[i - 2].X) * (rim[i].Y - rim[i - 1].Y)) - ((rim[i - 1].Y - rim[i - 2].Y) * (rim[i].X - rim[i - 1].X));
+            Assert.True(turn < 1e-4, FormattableString.Invariant($"it turns back at {rim[i - 1].X}, {rim[i - 1].Y}"));
+        }
     }
 
     private static Piece Build(InsectWingBlueprint blueprint)

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
 using CreatureGen.Anatomy;
@@ -38,5 +39,34 @@ public sealed class WingGrowerTests
         }
 
         Assert.True(wings > 8);
+    }
+
+    /// <summary>Least height of the skin near the root of a wing, in its greatest depth: level blades were rods from the front.</summary>
+    private const float RootHeight = 0.33f;
+
+    [Fact]
+    public void Roots_of_spread_wings_are_seen_from_the_front_as_a_third_of_their_depth()
+    {
+        var heights = new List<float>();
+        foreach (int seed in Enumerable.Range(22215000, 30))
+        {
+            Creature creature = CreatureGenerator.Generate((ulong)seed, CreatureOptions.Default with { Kind = RequestedKind.Flying });
+            if (creature.Blueprint.Wings.Count == 0 || creature.Blueprint.Wings.Any(wing => wing.Style == WingStyle.Folded))
+            {
+                continue;
+            }
+
+            LimbChain wing = creature.Limbs.First(limb => limb.Kind == LimbKind.Wing && limb.Side == Side.Left);
+            float shoulder = creature.Skeleton.ModelPositions[wing.Joints[0]].X;
+            float span = creature.Skeleton.ModelPositions[wing.Joints[^1]].X - shoulder;
+            Vector3[] root = [.. Enumerable.Range(0, creature.Mesh.Positions.Length)
+                .Where(v => wing.Joints.Contains(creature.Mesh.Weights[v].Joint0))
+                .Select(v => creature.Mesh.Positions[v])
+                .Where(p => p.X > shoulder + (0.1f * span) && p.X < shoulder + (0.22f * span))];
+            heights.Add((root.Max(p => p.Y) - root.Min(p => p.Y)) / (float)(creature.Blueprint.Wings[0].Chord * creature.Blueprint.Scale));
+        }
+
+        Assert.True(heights.Count > 8);
+        Assert.True(heights.Average() > RootHeight, FormattableString.Invariant($"{heights.Average()} of the depth, {heights.Min()} at the least"));
     }
 }
