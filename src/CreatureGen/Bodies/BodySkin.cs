@@ -14,7 +14,7 @@ internal sealed class BodySkin
 {
     private const int Half = BodyGrid.Segments / 2;
 
-    // How far the edges of a fan of feathers are below its middle, in its half widths, and the part of that by which the middle is raised.
+    // How far the edges of a fan of feathers are below its middle, in its half widths, and the part of that by which the middle is raised: by all of it where the edges lie on the ground.
     private const double Arch = 0.34;
     private const double Crest = 0.4;
 
@@ -49,6 +49,7 @@ internal sealed class BodySkin
         DiscSection? disc = body.Disc.Sweep != 0 || body.Disc.Curl != 0 ? new DiscSection(shape, body.Disc) : null;
         double topExponent = 0;
         double bottomExponent = 0;
+        double crest = creature.Plan == BodyPlan.Legless ? 1 : Crest;
         double tailStep = 0;
         for (int i = StationRing.TailFirst; i < StationRing.TailTip; i++)
         {
@@ -95,7 +96,7 @@ internal sealed class BodySkin
             for (int j = 0; j <= Half; j++)
             {
                 float along = i >= StationRing.TailFirst ? TailShift(shape, tail, tailStep, i, x[j], y[j]) : 0f;
-                float lift = i >= StationRing.TailFirst ? Camber(shape, tail, i, x[j]) : 0f;
+                float lift = i >= StationRing.TailFirst ? Camber(shape, tail, crest, i, x[j]) : 0f;
                 if (disc != null)
                 {
                     along += disc.Along(x[j]);
@@ -219,12 +220,12 @@ internal sealed class BodySkin
     }
 
     /// <summary>How far a point of a tail's blade is above its plane, metres: flat, a fan or a fluke is a stick from the side and a sawn log from behind.</summary>
-    private static float Camber(BodyShape shape, TailBlueprint tail, int ring, float x)
+    private static float Camber(BodyShape shape, TailBlueprint tail, double crest, int ring, float x)
     {
         double across = Math.Min(1, Math.Abs(x) / Math.Max(shape.Width[ring], 0.01));
         return tail.Style switch
         {
-            TailStyle.Feathers => (float)(Arch * tail.Size * Scalar.Smooth((ring - StationRing.TailFirst) / 8.0) * (Crest - (across * across))),
+            TailStyle.Feathers => (float)(Arch * tail.Size * Scalar.Smooth((ring - StationRing.TailFirst) / 8.0) * (crest - (across * across))),
             TailStyle.Fluke => (float)(tail.Size * Scalar.Smooth((ring - StationRing.TailFirst) / 7.0) * FlukeTail.RiseAt(across)),
             _ => 0f,
         };
