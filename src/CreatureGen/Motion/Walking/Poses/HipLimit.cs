@@ -21,10 +21,6 @@ internal readonly struct HipLimit
     /// <summary>Part of a swing from which on a foot turns onto the edge of the sole that it will stand on.</summary>
     private const float Arrival = 0.85f;
 
-    /// <summary>How far its joints keep a foot from lying that an act has let go of until it no longer tries, half the angle in radians: whirled about an edge of its sole it would flip.</summary>
-    private const float StillLies = 0.2f;
-    private const float LiesNoMore = 0.4f;
-
     private readonly bool raised;
 
     private HipLimit(bool raised, float standing, float arriving, float slack, float tolerance)
@@ -99,6 +95,6 @@ internal readonly struct HipLimit
             return Held;
         }
 
-        return raised ? Math.Max(Arriving, Math.Min(foot.Leg.Relaxation / excess, 1f) * Standing) : (1f - foot.Path.Aloft) * (1f - ((foot.Path.Taken - foot.Path.Aloft) * Scalar.Smooth((excess - StillLies) / (LiesNoMore - StillLies))));
+        return raised ? Math.Max(Arriving, Math.Min(foot.Leg.Relaxation / excess, 1f) * Standing) : 1f - foot.Path.Aloft;
     }
 }
