@@ -271,7 +271,7 @@ internal static class HeadSampler
         return new EyeBlueprint(style, species.Eye.Ring, segment, radius, sink, Forward(builder), Scalar.Radians(upper), Scalar.Radians(species.LidDegrees.Lower), 0.42 * mood);
     }
 
-    /// <summary>How far eyes look ahead: those of strange creatures are seen from the front, where others are slits at the edge of a mask.</summary>
+    /// <summary>How far eyes look ahead: those of strange creatures are seen from the front, where others are slits at the edge of a mask. Eyes on top of the head are seen from there as they are, and turned ahead they would be lids from the side.</summary>
     private static double Forward(CreatureBuilder builder)
     {
         SpeciesProfile species = builder.Parents.Head;
@@ -281,7 +281,8 @@ internal static class HeadSampler
         }
 
         double ashore = species.Class == AnimalClass.Arthropod ? 0 : builder.Fitting;
-        return species.EyeForward + (AheadShare * ashore * Math.Max(0, LooksAhead - species.EyeForward));
+        double aside = Scalar.Clamp(2 * (species.Eye.Segment - OnTop), 0, 1);
+        return species.EyeForward + (AheadShare * ashore * aside * Math.Max(0, LooksAhead - species.EyeForward));
     }
 
     /// <summary>How far the mouth is open where no ground is in its way, radians.</summary>
