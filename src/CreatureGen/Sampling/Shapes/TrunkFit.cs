@@ -243,7 +243,9 @@ internal static class TrunkFit
         };
         double flat = armoured ? 1 : Math.Max(1, outline.Breadth / flattest);
         RandomStream figure = builder.Stream("figure of a swimmer");
-        double chest = Drawn(SmallerChest, LargerChest);
+
+        // A chest that gave way to the throat does not grow again.
+        double chest = Drawn(SmallerChest, LargerChest * Math.Max(0, 1 - (4 * (step - 1))));
         double paunch = Drawn(SmallerBelly, LargerBelly);
         double stock = Drawn(SlenderStock, 0);
         double belly = Size(shape, StationRing.Belly);
