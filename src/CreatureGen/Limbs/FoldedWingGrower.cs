@@ -80,7 +80,7 @@ internal static class FoldedWingGrower
         surface.MirrorSince(firstVertex, firstFace);
 
         Vector3[] joints = Array.ConvertAll(jointFractions, s => Vec.Lerp(Lead(s), Trail(s), s == 0f ? 0.5f : 0.25f));
-        return WingAppendage.Of(socket.CentreRing, joints, jointFractions);
+        return WingAppendage.Of(socket.CentreRing, joints, jointFractions, held: false);
     }
 
     /// <summary>The point off the skin at a ring and segment, never across the sagittal plane.</summary>

@@ -27,8 +27,8 @@ internal static class WingGrower
     /// <summary>Share of the span over which the edge of a membrane leaves the hip.</summary>
     private const float Leaving = 0.24f;
 
-    /// <summary>Segments by which a membrane is held lower at its rear end than at the shoulder: on the flank, for level with the back it is a shelf from the side and a rod from the front.</summary>
-    private const double DownFlank = 1;
+    /// <summary>Segments by which a membrane is held higher at the hip than at the shoulder.</summary>
+    private const double AboveThigh = 3;
 
     /// <summary>How far a membrane stands off the flank that holds it, at the shoulder and at the hip, metres.</summary>
     private const float OffFlank = 0.012f;
@@ -41,7 +41,7 @@ internal static class WingGrower
     private const float MinDepth = 0.03f;
 
     // Radians by which the depth of a wing falls to the rear at its root, and by how much more at its tip; and the share of the span over which it comes to hang as it does at rest, and from which on beyond the elbow.
-    private const double RootFall = 0.36;
+    private const double RootFall = 0.3;
     private const double TipFall = 0.16;
     private const float Hung = 0.12f;
     private const float OuterHung = 0.2f;
@@ -96,7 +96,7 @@ internal static class WingGrower
             }
 
             double held = Math.Min(1, s / Rooted);
-            SurfacePoint flank = body.Skin.At(Scalar.Lerp(start, end, held), middle + (DownFlank * held));
+            SurfacePoint flank = body.Skin.At(Scalar.Lerp(start, end, held), middle - (AboveThigh * held));
             return Vec.Lerp(flank.Position + (flank.Normal * Scalar.Lerp(OffFlank, OffHip, (float)held)), Open(s), Scalar.Smooth((s - Rooted) / (Leaving - Rooted)));
         }
 
@@ -110,7 +110,7 @@ internal static class WingGrower
             }
 
             double held = Math.Min(1, s / Rooted) / 2;
-            SurfacePoint flank = body.Skin.At(Scalar.Lerp(start, end, held), middle + (DownFlank * held));
+            SurfacePoint flank = body.Skin.At(Scalar.Lerp(start, end, held), middle - (AboveThigh * held));
             Vector3 off = flank.Position + (flank.Normal * (2f * OffHip));
             straight.X = Math.Max(straight.X, off.X);
             return straight;
@@ -157,7 +157,7 @@ internal static class WingGrower
         surface.MirrorSince(firstVertex, firstFace);
 
         var joints = Array.ConvertAll(jointFractions, s => Joint(s));
-        return WingAppendage.Of(socket.CentreRing, joints, jointFractions);
+        return WingAppendage.Of(socket.CentreRing, joints, jointFractions, form.Feathers == 0);
     }
 
     private static Func<float, Vector3> LeadingEdge(WingBlueprint wing, WingForm form, SocketLoop socket)

@@ -40,4 +40,7 @@ internal sealed record Appendage
 
     /// <summary>Whether its foot is on the ground.</summary>
     public bool Stands { get; init; }
+
+    /// <summary>Whether the flank holds its rear edge near the root, as it does that of a membrane.</summary>
+    public bool HeldByFlank { get; init; }
 }

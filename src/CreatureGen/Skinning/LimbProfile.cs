@@ -29,7 +29,7 @@ internal sealed class LimbProfile
     /// <summary>The same at the ball of a foot, where heels and hind toes would sink as it rolls.</summary>
     private const float WidestAtBall = 0.45f;
 
-    // By which share of its span farther out a wing is all its own at the trailing edge, and what part of the skin at its root the flank holds there beside the leading edge: it grows along the flank, and what turned with the arm stood up as spikes where it folds.
+    // By which share of its span farther out a membrane is all its own at the trailing edge, and what part of the skin at its root the flank holds there beside the leading edge: it grows along the flank, and what turned with the arm stood up as spikes where it folds.
     private const float HeldByFlank = 0.2f;
     private const float HeldAtRoot = 0.7f;
 
@@ -125,7 +125,7 @@ internal sealed class LimbProfile
     public void Add(ref InfluenceList list, Vector3 position, in VertexAddress address, in SpineBlend body, float hold)
     {
         float x = Scalar.Clamp(address.Along, 0f, 1f);
-        float chord = appendage.Kind == LimbKind.Wing ? 0.5f * (1f - (float)PortableMath.Cos(address.Around)) : 0f;
+        float chord = appendage.HeldByFlank ? 0.5f * (1f - (float)PortableMath.Cos(address.Around)) : 0f;
         float first = rootFraction * (1f - (HeldAtRoot * chord));
         float own = (first + ((1f - first) * Scalar.Smooth(x / (rootEnd + (HeldByFlank * chord))))) * hold;
         float rest = 1f - own;
