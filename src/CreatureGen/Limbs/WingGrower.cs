@@ -28,7 +28,7 @@ internal static class WingGrower
     private const float Leaving = 0.24f;
 
     /// <summary>Segments by which a membrane is held higher at the hip than at the shoulder.</summary>
-    private const double AboveThigh = 3;
+    private const double AboveThigh = 1;
 
     /// <summary>How far a membrane stands off the flank that holds it, at the shoulder and at the hip, metres.</summary>
     private const float OffFlank = 0.012f;
@@ -41,7 +41,7 @@ internal static class WingGrower
     private const float MinDepth = 0.03f;
 
     // Radians by which the depth of a wing falls to the rear at its root, and by how much more at its tip; and the share of the span over which it comes to hang as it does at rest, and from which on beyond the elbow.
-    private const double RootFall = 0.3;
+    private const double RootFall = 0.36;
     private const double TipFall = 0.16;
     private const float Hung = 0.12f;
     private const float OuterHung = 0.2f;
