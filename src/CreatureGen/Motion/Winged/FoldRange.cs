@@ -62,7 +62,7 @@ internal sealed record FoldRange(WingFold Usual, WingFold Min, WingFold Max, dou
         },
         Closeness = 4,
         CornerCost = 0.06,
-        AsideCost = 60,
+        AsideCost = 100,
     };
 
     /// <summary>Over the abdomen, flat or as a low roof: tips no higher than the root.</summary>
