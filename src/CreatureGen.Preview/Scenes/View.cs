@@ -1,5 +1,4 @@
 using System;
-using System.Linq;
 using CreatureGen.Anatomy;
 using CreatureGen.Creatures;
 
@@ -27,8 +26,8 @@ public enum View
 /// <summary>The words for views, and their angles.</summary>
 public static class Views
 {
-    /// <summary>The three-quarter view of spread wings. Raised and hanging, the far one has its blade in the line of sight of who looks from farther to the side and above: there it is the line of its edge.</summary>
-    private static readonly CameraAngle pastWings = new(26, 8);
+    /// <summary>The three-quarter view of what flies: raised wings have the inner part of their blades in the line of sight of who looks from farther ahead or from above, and would be pipes there.</summary>
+    private static readonly CameraAngle besideWings = new(46, 1);
 
     private static readonly string[] Words = ["three-quarter", "side", "front", "back", "top"];
 
@@ -57,12 +56,12 @@ public static class Views
         _ => throw Unknown(view),
     };
 
-    /// <summary>From where a view looks at a creature at rest: on spread wings in three-quarter view from nearer to the front and from lower down, so that the blade of both is seen.</summary>
+    /// <summary>From where a view looks at a creature: in three-quarter view at what flies from farther to the side and from lower down than at others, so that the blades of both wings are seen.</summary>
     /// <exception cref="ArgumentOutOfRangeException">It is none of the named views.</exception>
     public static CameraAngle Angle(View view, Creature creature)
     {
         ArgumentNullException.ThrowIfNull(creature);
-        return view == View.ThreeQuarter && creature.Blueprint.Wings.Any(wing => wing.Style != WingStyle.Folded) ? pastWings : Angle(view);
+        return view == View.ThreeQuarter && creature.Blueprint.Kind == LocomotionKind.Flying ? besideWings : Angle(view);
     }
 
     private static ArgumentOutOfRangeException Unknown(View view) => new(nameof(view), view, "expected one of the named views");

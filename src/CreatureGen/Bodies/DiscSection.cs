@@ -29,6 +29,10 @@ internal sealed class DiscSection
     /// <summary>How much of the bend of the tips there is beside the dome: bent evenly, the wings are planks.</summary>
     private const double Stiff = 0.5;
 
+    // The ring up to which a snout has no wings, and over how many they begin.
+    private const double Snout = 3;
+    private const double SnoutLength = 4;
+
     private readonly BodyShape shape;
     private readonly DiscBlueprint disc;
     private readonly double widest;
@@ -79,6 +83,6 @@ internal sealed class DiscSection
         return (float)((disc.Curl * PortableMath.Pow(x, 1.8) * Scalar.Lerp(Stiff, 1, g * g)) + (Ripple * widest * g * g * wave));
     }
 
-    /// <summary>How far a section is a disc's, 0..1.</summary>
-    private double Winged(int ring) => Scalar.Smooth(((2 * shape.Width[ring] / (shape.Top[ring] + shape.Bottom[ring])) - Broad) / Broadening);
+    /// <summary>How far a section is a disc's, 0..1: not where the mouth is, whose corners would come through the skin of thin wings.</summary>
+    private double Winged(int ring) => Scalar.Smooth((ring - Snout) / SnoutLength) * Scalar.Smooth(((2 * shape.Width[ring] / (shape.Top[ring] + shape.Bottom[ring])) - Broad) / Broadening);
 }

@@ -129,14 +129,20 @@ internal sealed class MeshReduction : IDisposable
         saved.Dispose();
     }
 
+    /// <summary>Triangles by which the loss of a piece may leave fewer than were asked for.</summary>
+    private const int LargestTooMuch = 100;
+
     /// <summary>Takes steps in rounds until no more than a number of triangles are left.</summary>
     private void TakeSteps(int triangles)
     {
         const int TrianglesOfStep = 4;
         bool goesOn = true;
+        int before = Triangles + 1;
         while (Triangles > triangles && goesOn)
         {
             goesOn = Refresh();
+            bool stuck = before == Triangles && !goesOn;
+            before = Triangles;
             ReadOnlySpan<int> cheapestFirst = order.Sort(candidates.AsSpan(0, candidateCount), costs);
             int enough = (Triangles - triangles + TrianglesOfStep - 1) / TrianglesOfStep;
 
@@ -149,7 +155,11 @@ internal sealed class MeshReduction : IDisposable
                 int item = cheapestFirst[i];
                 if (item >= subject.Points)
                 {
-                    Lose(item);
+                    // A piece that is far more than what has to go stays as long as points can go instead: a wing would be gone for the sake of a few triangles.
+                    if (stuck || pieces.LeftOf(item - subject.Points, surface) <= Triangles - triangles + LargestTooMuch)
+                    {
+                        Lose(item);
+                    }
                 }
                 else if (!stale[item])
                 {

@@ -48,7 +48,25 @@ internal sealed class ReductionPieces
         return Remove(piece, surface) + (image == piece ? 0 : Remove(image, surface));
     }
 
+    /// <summary>How many triangles of the mesh are left of a piece and of its mirror image.</summary>
+    public int LeftOf(int piece, CollapsingMesh surface)
+    {
+        int image = ImageOf(piece);
+        return Left(piece, surface) + (image == piece ? 0 : Left(image, surface));
+    }
+
     private int ImageOf(int piece) => subject.PieceOf[subject.Twin[subject.Corners[3 * first[piece]]]];
+
+    private int Left(int piece, CollapsingMesh surface)
+    {
+        int left = 0;
+        for (int t = first[piece]; t < end[piece]; t++)
+        {
+            left += !surface.IsGone(t) && subject.PieceOf[subject.Corners[3 * t]] == piece ? SidesOf(piece) : 0;
+        }
+
+        return left;
+    }
 
     private int Remove(int piece, CollapsingMesh surface)
     {

@@ -15,7 +15,7 @@ namespace CreatureGen.Features;
 /// </remarks>
 internal static class InsectWingShape
 {
-    private const int Lines = 8;
+    private const int Lines = 7;
     private const int Strips = Lines - 1;
 
     /// <summary>Stations from one dark band across the wing to the next.</summary>
@@ -42,9 +42,9 @@ internal static class InsectWingShape
     public static void Append(PieceBuilder builder, SurfacePoint skin, InsectWingBlueprint wing, float scale, Vector3 membrane, Vector3 vein)
     {
         ThinWingForm? form = ThinWingForm.Of(wing.Style);
-        ReadOnlySpan<float> blade = stackalloc float[] { 0f, 0.05f, 0.12f, 0.21f, 0.32f, 0.44f, 0.56f, 0.68f, 0.79f, 0.88f, 0.95f, 1f };
+        ReadOnlySpan<float> blade = stackalloc float[] { 0f, 0.07f, 0.19f, 0.35f, 0.54f, 0.73f, 0.90f, 1f };
         int rows = form?.Rows ?? blade.Length;
-        ReadOnlySpan<float> lines = stackalloc float[Lines] { 0f, 0.07f, 0.31f, 0.345f, 0.62f, 0.65f, 0.92f, 1f };
+        ReadOnlySpan<float> lines = stackalloc float[Lines] { 0f, 0.07f, 0.31f, 0.345f, 0.63f, 0.92f, 1f };
         float length = (float)wing.Length * scale;
         float width = (float)wing.Width * scale;
         float aspect = width / length;
@@ -159,7 +159,7 @@ internal static class InsectWingShape
     /// <param name="vein">Linear RGB of the veins.</param>
     private static Vector3 Shade(int strip, float s, float u, float band, float aspect, Vector3 membrane, Vector3 vein)
     {
-        if ((strip & 1) == 0 && strip < 5)
+        if (strip is 0 or 2)
         {
             return vein * (1f - (0.15f * s));
         }
@@ -178,7 +178,7 @@ internal static class InsectWingShape
         Vector3 sheen = membrane * (1f - (0.12f * s));
 
         // The pale patch in the middle of a butterfly's wing, and pale dots along its margin.
-        float patch = strip == 3 ? Scalar.Smooth(1f - (Math.Abs(s - 0.52f) / 0.2f)) : strip == 5 ? 0.5f * (1f - band) * Scalar.Smooth((0.9f - u) / 0.2f) : 0f;
+        float patch = strip == 3 ? Scalar.Smooth(1f - (Math.Abs(s - 0.52f) / 0.2f)) : strip == 4 ? 0.5f * (1f - band) * Scalar.Smooth((0.9f - u) / 0.2f) : 0f;
         sheen = Vec.Lerp(sheen, Vec.Lerp(membrane, Vector3.One, 0.75f), broad * patch);
         return Vec.Lerp(sheen, vein, dark);
     }

@@ -33,6 +33,9 @@ internal static class PectoralGrower
 
     // Rise of the trailing edge for each unit that it lies behind the leading one: of a fin on the flank, turned as in gliding, and of one under the body, which keeps off it. Falling with the axis, a blade on the flank would be a rod from the side; rising no more than the eye looks down, one from behind.
     private const float Pronation = 0.5f;
+
+    /// <summary>The same of paddles, whose scalloped rear edge would go through a slender flank.</summary>
+    private const float PronationOfPaddle = 0.25f;
     private const float UnderBody = -0.35f;
 
     // How far skin faces down from which on, and over which, a fin is one under the body.
@@ -65,7 +68,7 @@ internal static class PectoralGrower
         float lean = (float)FlankFin.AxisSweep(fin.Style);
         Vector3 outward = Vec.Normalize(new Vector3(1f, -(float)fin.Drop, -(float)fin.Sweep * lean));
         Vector3 skin = body.Skin.At(socket.CentreRing, fin.Socket.Segment + (fin.Socket.Columns / 2.0)).Normal;
-        float rise = Scalar.Lerp(Pronation, UnderBody, Scalar.Smooth((-skin.Y - FacesDown) / Turning));
+        float rise = Scalar.Lerp(fin.Style == FinStyle.Paddle ? PronationOfPaddle : Pronation, UnderBody, Scalar.Smooth((-skin.Y - FacesDown) / Turning));
         float rootRise = rise;
         Vector3 Back(float s) => Vec.Normalize(Vec.Reject(new Vector3(0f, Scalar.Lerp(rootRise, rise, Scalar.Smooth((s - TwistFrom) / Twist)), -1f), outward));
 

@@ -28,7 +28,7 @@ internal static class WingGrower
     private const float Leaving = 0.24f;
 
     /// <summary>Segments by which a membrane is held higher at the hip than at the shoulder.</summary>
-    private const double AboveThigh = 1;
+    private const double AboveThigh = 2.2;
 
     /// <summary>How far a membrane stands off the flank that holds it, at the shoulder and at the hip, metres.</summary>
     private const float OffFlank = 0.012f;

@@ -19,7 +19,7 @@ internal sealed class SecondHead
     private const double Following = 11;
 
     /// <summary>The same of the jaw, which is not to come too late to a bite.</summary>
-    private const double Biting = 45;
+    private const double Biting = 50;
 
     private readonly Skeleton skeleton;
     private readonly int[] first;

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
+using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit;
 using CreatureGen.Rigging;
 
@@ -157,13 +158,14 @@ internal sealed class PresetTruth
         return speeds;
     }
 
-    /// <summary>How far an end is from the middle of its beat, along the axis of the model on which it goes farthest.</summary>
+    /// <summary>How far an end is from the middle of its beat, along the way to where it is farthest from that: fins that hang aslant beat aslant.</summary>
     private float[] Beat(int root, int end)
     {
         Vector3[] way = [.. places.Select(p => p[end] - p[root])];
         Vector3 low = way.Aggregate(Vector3.Min), high = way.Aggregate(Vector3.Max);
-        Vector3 axis = high.X - low.X > high.Y - low.Y ? Vector3.UnitX : Vector3.UnitY;
-        float middle = 0.5f * Vector3.Dot(low + high, axis);
+        Vector3 farthest = way.Select(w => w - (0.5f * (low + high))).MaxBy(w => w.LengthSquared());
+        Vector3 axis = Vec.Normalize(farthest with { Z = 0f }, Vector3.UnitY);
+        float middle = 0.5f * (way.Min(w => Vector3.Dot(w, axis)) + way.Max(w => Vector3.Dot(w, axis)));
         return [.. way.Select(w => Vector3.Dot(w, axis) - middle)];
     }
 

@@ -30,7 +30,7 @@ public sealed class InsectWingShapeTests
                     Piece wing = Build(new InsectWingBlueprint(26, 2.5, 0.8, 0.8 * aspect, azimuth, elevation));
                     PieceChecks.IsSound(wing);
                     PieceChecks.NormalsFollowFaces(wing, 0.95);
-                    Assert.InRange(PieceChecks.TriangleCount(wing), 280, 320);
+                    Assert.InRange(PieceChecks.TriangleCount(wing), 120, 170);
                 }
             }
         }
@@ -48,7 +48,7 @@ public sealed class InsectWingShapeTests
         Piece wing = Build(new InsectWingBlueprint(26, 2.5, 0.8, 0.5, 0.1, 0.4, style));
         PieceChecks.IsSound(wing);
         PieceChecks.NormalsFollowFaces(wing, 0.8);
-        Assert.Equal(2 * 22 * 7 * 2, PieceChecks.TriangleCount(wing));
+        Assert.Equal(2 * 22 * 6 * 2, PieceChecks.TriangleCount(wing));
         Assert.InRange(wing.Positions.Max(p => p.X) - back.Position.X, 0.4f, 0.82f);
     }
 

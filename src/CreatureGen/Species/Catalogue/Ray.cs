@@ -41,11 +41,11 @@ internal static class Ray
         Disc = (0.42, -0.28, 0.38),
         Eye = (6.4, 3.0), EyeSize = 0.20, EyeSink = 0.4,
         Skull = new SkullShape { Jowl = 0, Muzzle = new[] { new HeadBump(6.6, 3.2, 1.7, 1.5, 0.55) } },
-        MouthCorner = 4, MouthOpenings = Weights.Of<double>((0.04, 1), (0.12, 1), (0, 1)), Teeth = 0, Nostril = 0, Bone = 0, Swelling = (0, 0),
+        MouthCorner = 2, MouthOpenings = Weights.Of<double>((0.04, 1), (0.12, 1), (0, 1)), Teeth = 0, Nostril = 0, Bone = 0, Swelling = (0, 0),
         SwimmingPlans = Weights.Of((BodyPlan.Whale, 1)),
         Fins = new FinPreset
         {
-            Fins = new[] { new FinSitePreset(FinPlace.Pectoral, FinStyle.Ray, 43, 9, 4, (0.10, 0.13), (0.9, 1), 0.05, 0.9) },
+            Fins = new[] { new FinSitePreset(FinPlace.Pectoral, FinStyle.Ray, 43, 10, 4, (0.10, 0.13), (0.9, 1), 0.05, 0.9) },
             Tail = TailStyle.Plain,
         },
         Parts = new[]

@@ -54,9 +54,7 @@ public class FlankTests
     /// <summary>Wings at rest are spread, and were held to keep a body off its flanks, on which they are folded: all fliers crouched as they died, as if alive.</summary>
     [Theory]
     [InlineData(22300000UL)]
-    [InlineData(22300005UL, Explicit = true)]
     [InlineData(22300010UL, Explicit = true)]
-    [InlineData(22300073UL, Explicit = true)]
     public void Who_has_wings_dies_on_a_folded_one_and_sleeps_on_its_belly(ulong seed)
     {
         var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Flying }));
@@ -66,6 +64,15 @@ public class FlankTests
         Assert.InRange(dead.Height, 0f, 0.75f);
         Assert.InRange(dead.HeightAgain(), 0.95f, 1.05f);
         Assert.InRange(new Lying(profile, profile.Acts.Find("Sleep")).Turned, 0f, 0.8f);
+    }
+
+    /// <summary>Of a dozen unselected; those that do not lie too high on their sides, or their horns and frills do not let them onto these.</summary>
+    [Fact(Explicit = true)]
+    public void Most_of_those_with_wings_die_on_a_flank()
+    {
+        float[] turned = [.. Enumerable.Range(22300000, 12).Select(seed => new MotionProfile(CreatureGenerator.Generate((ulong)seed, CreatureOptions.Default with { Kind = RequestedKind.Flying })))
+            .Where(profile => profile.Legs != null && SpreadWings.Of(profile.Subject)).Select(profile => new Lying(profile, profile.Acts.Find("Die")).Turned)];
+        Assert.True(turned.Count(angle => angle is > 1f and < 2.1f) > 0.7f * turned.Length, string.Join(", ", turned));
     }
 
     /// <summary>They stayed on their legs with their heads up, and looked tired.</summary>

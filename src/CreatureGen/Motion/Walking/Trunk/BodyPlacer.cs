@@ -297,8 +297,7 @@ internal sealed class BodyPlacer
             }
         }
 
-        float tilt = Math.Abs(HindGround - ForeGround) / Math.Max(body.TrunkLength, 1e-3f);
-        room.Find(feet, dt, layer?.Way ?? Vector3.Zero, tilt, ref drop, out hindDrop, out foreDrop);
+        room.Find(feet, dt, layer?.Way ?? Vector3.Zero, Math.Abs(HindGround - ForeGround) / Math.Max(body.TrunkLength, 1e-3f), ref drop, out hindDrop, out foreDrop);
     }
 
     /// <summary>Model place of a leg's hip, its girdle slid and risen with its foot.</summary>
