@@ -164,7 +164,7 @@ internal sealed class PresetTruth
         Vector3[] way = [.. places.Select(p => p[end] - p[root])];
         Vector3 low = way.Aggregate(Vector3.Min), high = way.Aggregate(Vector3.Max);
         Vector3 farthest = way.Select(w => w - (0.5f * (low + high))).MaxBy(w => w.LengthSquared());
-        Vector3 axis = Vec.Normalize(farthest with { Z = 0f }, Vector3.UnitY);
+        Vector3 axis = Vec.Normalize(farthest, Vector3.UnitY);
         float middle = 0.5f * (way.Min(w => Vector3.Dot(w, axis)) + way.Max(w => Vector3.Dot(w, axis)));
         return [.. way.Select(w => Vector3.Dot(w, axis) - middle)];
     }
