@@ -68,7 +68,7 @@ public sealed class DiscSectionTests
             {
                 BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
                 int widest = Enumerable.Range(0, StationRing.TailFirst).MaxBy(ring => shape.Width[ring]);
-                return (creature.Seed.ToString(), BodySkin.Span(shape, creature), widest);
+                return (FormattableString.Invariant($"{creature.Seed}"), BodySkin.Span(shape, creature), widest);
             })
             .ToArray();
         Assert.True(rays.Length > 10);
