@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
 using CreatureGen.Anatomy;
@@ -12,6 +13,11 @@ namespace CreatureGen.Preview.Rendering;
 /// <summary>The moment of its motion in which a creature has its portrait taken.</summary>
 internal static class MomentOfMotion
 {
+    // Names of ways of going that come before any gait.
+    private const string Flight = "Fly";
+    private const string Stroke = "Swim";
+    private const string Crawl = "Slither";
+
     // Parts of a cycle: a foot is in the air while another stands ahead; a tail is bent to the side, or on its way down with the fins up; the wings are at their highest.
     private const float OfStep = 0.3f;
     private const float OfStrokeAside = 0f;
@@ -22,25 +28,24 @@ internal static class MomentOfMotion
     public static RenderMesh Of(Creature creature)
     {
         var profile = new MotionProfile(creature);
-        (string Name, float Part)? moment = Choose(profile, creature.Blueprint.Plan);
-        if (moment is not { } chosen)
+        IReadOnlyList<Movement> ways = Movement.OfGoing(profile);
+        Movement? way = ways.FirstOrDefault(one => one.Name is Flight or Stroke or Crawl) ?? ways.FirstOrDefault(one => one.Gait != null);
+        if (way is null)
         {
             return RenderMesh.From(creature);
         }
 
-        Clip clip = ClipBaker.RecipesOf(profile).First(recipe => recipe.Name == chosen.Name).Bake();
+        Clip clip = ClipBaker.Bake(profile, way);
         var local = new Pose(new Quaternion[creature.Skeleton.Count], new Vector3[creature.Skeleton.Count]);
-        clip.Sample(chosen.Part * clip.Duration, local);
+        clip.Sample(PartOf(way, creature.Blueprint.Plan) * clip.Duration, local);
         (Vector3[] positions, Vector3[] normals) = MovedSkin.Of(creature, RootPlace.Identity, local, RootPlace.Identity);
         return RenderMesh.From(creature, positions, normals);
     }
 
-    private static (string Name, float Part)? Choose(MotionProfile profile, BodyPlan plan) => profile switch
+    private static float PartOf(Movement way, BodyPlan plan) => way.Name switch
     {
-        { Flight: not null } => ("Fly", OfBeat),
-        { Swim: not null } => ("Swim", plan is BodyPlan.Fish or BodyPlan.Eel ? OfStrokeAside : OfStroke),
-        { Slither: not null } => ("Slither", OfStep),
-        { Gaits: not null } => (Movement.OfGoing(profile).First(movement => movement.Gait != null).Name, OfStep),
-        _ => null,
+        Flight => OfBeat,
+        Stroke => plan is BodyPlan.Fish or BodyPlan.Eel ? OfStrokeAside : OfStroke,
+        _ => OfStep,
     };
 }

@@ -228,16 +228,7 @@ public static class Renderer
         }
 
         /// <summary>The last level on which the charts of an atlas are apart, which are so by 2/256 of its side: on smaller ones the edge of a chart takes on the colour of the next, a pale tick on the back that is seen aslant.</summary>
-        private static int LastApart(Texture texture)
-        {
-            int level = 0;
-            while (texture.Width >> (level + 1) >= CreatureTextures.SmallestSize)
-            {
-                level++;
-            }
-
-            return level;
-        }
+        private static int LastApart(Texture texture) => BitOperations.Log2((uint)Math.Max(1, texture.Width / CreatureTextures.SmallestSize));
 
         private Vector3 Sample(Texture texture, in ScreenTriangle triangle, float a, float b, float c, int i0, int i1, int i2)
         {

@@ -17,6 +17,9 @@ namespace CreatureGen.Creatures;
 /// </remarks>
 internal sealed class MeshReduction : IDisposable
 {
+    /// <summary>Triangles by which the loss of a piece may leave fewer than were asked for.</summary>
+    private const int LargestTooMuch = 100;
+
     private readonly CreatureMesh mesh;
     private readonly ReductionSubject subject;
     private readonly CollapsingMesh surface;
@@ -128,9 +131,6 @@ internal sealed class MeshReduction : IDisposable
         remap.Dispose();
         saved.Dispose();
     }
-
-    /// <summary>Triangles by which the loss of a piece may leave fewer than were asked for.</summary>
-    private const int LargestTooMuch = 100;
 
     /// <summary>Takes steps in rounds until no more than a number of triangles are left.</summary>
     private void TakeSteps(int triangles)

@@ -44,8 +44,10 @@ internal sealed class ReductionPieces
     /// <summary>Removes what is left of a piece and of its mirror image, and gives the number of triangles of the mesh that go.</summary>
     public int Lose(int piece, CollapsingMesh surface)
     {
-        int image = ImageOf(piece);
-        return Remove(piece, surface) + (image == piece ? 0 : Remove(image, surface));
+        int left = LeftOf(piece, surface);
+        Remove(piece, surface);
+        Remove(ImageOf(piece), surface);
+        return left;
     }
 
     /// <summary>How many triangles of the mesh are left of a piece and of its mirror image.</summary>
@@ -62,25 +64,23 @@ internal sealed class ReductionPieces
         int left = 0;
         for (int t = first[piece]; t < end[piece]; t++)
         {
-            left += !surface.IsGone(t) && subject.PieceOf[subject.Corners[3 * t]] == piece ? SidesOf(piece) : 0;
+            left += IsLeft(t, piece, surface) ? SidesOf(piece) : 0;
         }
 
         return left;
     }
 
-    private int Remove(int piece, CollapsingMesh surface)
+    private void Remove(int piece, CollapsingMesh surface)
     {
-        int removed = 0;
         Lost[piece] = true;
         for (int t = first[piece]; t < end[piece]; t++)
         {
-            if (!surface.IsGone(t) && subject.PieceOf[subject.Corners[3 * t]] == piece)
+            if (IsLeft(t, piece, surface))
             {
                 surface.Remove(t);
-                removed += SidesOf(piece);
             }
         }
-
-        return removed;
     }
+
+    private bool IsLeft(int triangle, int piece, CollapsingMesh surface) => !surface.IsGone(triangle) && subject.PieceOf[subject.Corners[3 * triangle]] == piece;
 }

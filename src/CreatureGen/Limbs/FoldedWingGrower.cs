@@ -100,8 +100,9 @@ internal static class FoldedWingGrower
     /// <summary>Segment of the lower edge, down in a step at the tip of each primary.</summary>
     private static double Stepped(double s)
     {
-        double tip = Math.Ceiling((s * Feathers) - 0.01) / Feathers;
-        double start = (Math.Ceiling((s * Feathers) - 0.01) - 1) / Feathers;
+        double feather = Math.Ceiling((s * Feathers) - 0.01);
+        double tip = feather / Feathers;
+        double start = (feather - 1) / Feathers;
         return Scalar.Lerp(Piecewise(s), Scalar.Lerp(Piecewise(Math.Max(0, start)), Piecewise(tip), 0.25 * ((s * Feathers) - Math.Floor(s * Feathers))), Scalar.Smooth((s - FirstPrimary) / 0.1));
     }
 

@@ -33,10 +33,10 @@ internal static class PectoralGrower
 
     // Rise of the trailing edge for each unit that it lies behind the leading one: of a fin on the flank, turned as in gliding, and of one under the body, which keeps off it. Falling with the axis, a blade on the flank would be a rod from the side; rising no more than the eye looks down, one from behind.
     private const float Pronation = 0.5f;
-
-    /// <summary>The same of paddles, whose scalloped rear edge would go through a slender flank.</summary>
-    private const float PronationOfPaddle = 0.25f;
     private const float UnderBody = -0.35f;
+
+    /// <summary>That of paddles on the flank, whose scalloped rear edge would go through a slender flank.</summary>
+    private const float PronationOfPaddle = 0.25f;
 
     // How far skin faces down from which on, and over which, a fin is one under the body.
     private const float FacesDown = 0.5f;

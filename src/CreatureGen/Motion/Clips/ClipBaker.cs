@@ -84,8 +84,19 @@ public static class ClipBaker
         return clips;
     }
 
-    private static Clip Bake(MotionProfile profile, Movement movement)
+    /// <summary>Bakes one thing that a creature does. What it may be is in <see cref="Movement.Of"/>, and without the acts, which take a while to find out, in <see cref="Movement.OfGoing"/>.</summary>
+    /// <param name="profile">Of the creature.</param>
+    /// <param name="movement">One of its own.</param>
+    /// <exception cref="ArgumentNullException">There is no profile or no movement.</exception>
+    public static Clip Bake(MotionProfile profile, Movement movement)
     {
+        _ = profile ?? throw new ArgumentNullException(nameof(profile));
+        _ = movement ?? throw new ArgumentNullException(nameof(movement));
+        if (movement.Act is { } ability)
+        {
+            return RecordedAct.Bake(profile, ability);
+        }
+
         SteadyMotion motion = Begin(profile, movement);
         float seconds = motion.CycleSeconds();
         int rate = Clip.UsualRate;

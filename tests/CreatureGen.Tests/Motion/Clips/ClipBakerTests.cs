@@ -116,5 +116,28 @@ public sealed class ClipBakerTests
         }
     }
 
+    [Fact]
+    public void One_movement_alone_is_baked_to_the_bit_as_it_is_among_all()
+    {
+        Creature creature = SpeciesSubject.Of("feline", RequestedKind.Walking);
+        var profile = new MotionProfile(creature);
+        Same(ClipBaker.Bake(creature)[1], ClipBaker.Bake(profile, Movement.OfGoing(profile)[1]));
+        Same(ClipBaker.BakeActs(creature)[0], ClipBaker.Bake(profile, Movement.Of(profile).First(movement => movement.Act != null)));
+        Assert.Throws<ArgumentNullException>(() => ClipBaker.Bake(null!, Movement.OfGoing(profile)[0]));
+        Assert.Throws<ArgumentNullException>(() => ClipBaker.Bake(profile, null!));
+
+        void Same(Clip expected, Clip actual)
+        {
+            Assert.Equal(expected.Name, actual.Name);
+            Assert.Equal(expected.Frames, actual.Frames);
+            var pose = new Pose(new Quaternion[creature.Skeleton.Count], new Vector3[creature.Skeleton.Count]);
+            var other = new Pose(new Quaternion[creature.Skeleton.Count], new Vector3[creature.Skeleton.Count]);
+            expected.Sample(0.4f * expected.Duration, pose);
+            actual.Sample(0.4f * actual.Duration, other);
+            Assert.Equal(pose.Rotations.ToArray(), other.Rotations.ToArray());
+            Assert.Equal(pose.Positions.ToArray(), other.Positions.ToArray());
+        }
+    }
+
     private static IReadOnlyList<Clip> Bake(string body, RequestedKind kind) => ClipBaker.Bake(SpeciesSubject.Of(body, kind));
 }
