@@ -9,6 +9,11 @@ namespace CreatureGen.Appearance.Textures;
 /// <remarks>Each texel is a place of the surface: what it shows depends on that place alone, so neither the order of the faces nor the seams between charts can be seen.</remarks>
 internal sealed class TexturePainter
 {
+    /// <summary>Ring of the trunk at which a fin at the end of the tail begins, over how many it becomes bare, and by how much it does.</summary>
+    private const float TailFinRing = 47.5f;
+    private const float TailFinRings = 2.5f;
+    private const float BareTailFin = 0.8f;
+
     private readonly CoatBetween coat;
     private readonly SkinRelief relief;
     private readonly AtlasPictures pictures;
@@ -92,7 +97,7 @@ internal sealed class TexturePainter
     private static float Muzzle(float ring, short appendage) => appendage >= 0 ? 1f : Scalar.Smooth((ring - 1.5f) / 7f);
 
     /// <summary>A fin at the end of the tail is as bare as all fins.</summary>
-    private float TailFin(float ring, short appendage) => finned && appendage < 0 ? 1f - (0.8f * Scalar.Smooth((ring - 47.5f) / 2.5f)) : 1f;
+    private float TailFin(float ring, short appendage) => finned && appendage < 0 ? 1f - (BareTailFin * Scalar.Smooth((ring - TailFinRing) / TailFinRings)) : 1f;
 
     private float Roughness(SurfaceRegion region) => region switch
     {
