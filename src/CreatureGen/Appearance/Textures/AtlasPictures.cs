@@ -204,17 +204,9 @@ internal sealed class AtlasPictures : IDisposable
 
     private bool HasPaintedNeighbour(int texel)
     {
-        Span<int> beside = stackalloc int[4];
-        int count = Neighbours(texel, beside);
-        for (int i = 0; i < count; i++)
-        {
-            if (painted[beside[i]])
-            {
-                return true;
-            }
-        }
-
-        return false;
+        int x = texel & (Size - 1);
+        return (x > 0 && painted[texel - 1]) || (x < Size - 1 && painted[texel + 1])
+            || (texel >= Size && painted[texel - Size]) || (texel < texels - Size && painted[texel + Size]);
     }
 
     /// <summary>Adds the neighbours that are neither painted yet nor listed.</summary>
