@@ -78,8 +78,7 @@ public sealed class CreatureTextures
         float[] openness = AmbientOcclusion.Of(creature).OfAll(surface.Positions, normals, (float)creature.Blueprint.Scale);
         Paint(surface, packing, new VertexCoat(Coat(), surface, normals, openness), size, PainterOf);
         pictures.Bleed(Math.Max(2, size / 256));
-        pictures.FillGround();
-        ForEachBand(size, rows => pictures.Emboss(1f / (packing.Density * size), rows));
+        Finish(pictures, 1f / (packing.Density * size));
         return new CreatureTextures(pictures);
 
         CoatPainter Coat() => new(creature.Blueprint.Coat, CoatSubjects.Of(creature.Blueprint, grown, eye));
@@ -148,13 +147,40 @@ public sealed class CreatureTextures
 
         ForEachBand(size, rows => Each(left, painterOf(rows, coarse).Paint));
         TexturePainter last = painterOf(RowBand.All(size), coarse);
-        foreach (int f in right)
+
+        // What has no gap before the first of them is painted has none later: they can be looked at side by side.
+        bool[] gaps = new bool[right.Count];
+        IndependentParts.Run(RowBand.Count, part =>
         {
-            if (HasGap(surface, packing, f, last))
+            for (int i = gaps.Length * part / RowBand.Count; i < gaps.Length * (part + 1) / RowBand.Count; i++)
             {
-                last.Paint(ChartFace.Of(surface, packing, f, coat));
+                gaps[i] = HasGap(surface, packing, right[i], last);
+            }
+        });
+        for (int i = 0; i < gaps.Length; i++)
+        {
+            if (gaps[i])
+            {
+                last.Paint(ChartFace.Of(surface, packing, right[i], coat));
             }
         }
+    }
+
+    /// <summary>Colours the ground of two pictures and makes the third of the heights, side by side.</summary>
+    private static void Finish(AtlasPictures pictures, float texel)
+    {
+        byte[][] grounded = { pictures.BaseColour, pictures.Roughness };
+        IndependentParts.Run(grounded.Length + RowBand.Count, part =>
+        {
+            if (part < grounded.Length)
+            {
+                pictures.FillGround(grounded[part]);
+            }
+            else
+            {
+                pictures.Emboss(texel, RowBand.Of(pictures.Size, part - grounded.Length));
+            }
+        });
     }
 
     private delegate void FaceAction(in ChartFace face);

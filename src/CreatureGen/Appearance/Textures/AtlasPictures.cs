@@ -142,12 +142,8 @@ internal sealed class AtlasPictures : IDisposable
         ArrayPool<bool>.Shared.Return(listed);
     }
 
-    /// <summary>Colours what is still unpainted like what is around it.</summary>
-    public void FillGround()
-    {
-        GapFilling.Fill(BaseColour, painted, Size);
-        GapFilling.Fill(Roughness, painted, Size);
-    }
+    /// <summary>Colours what is still unpainted of one of the pictures like what is around it; what is painted is only read.</summary>
+    public void FillGround(byte[] picture) => GapFilling.Fill(picture, painted, Size);
 
     /// <summary>Gives borrowed memory back; nothing may be painted any more.</summary>
     public void Dispose()
