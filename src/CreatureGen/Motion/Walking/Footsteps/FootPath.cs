@@ -26,6 +26,9 @@ internal struct FootPath
     /// <summary>Heading in model space at present.</summary>
     public Quaternion Heading;
 
+    /// <summary>The same without what it turns along as its leg is swept: that in which it was set down.</summary>
+    public Quaternion Planned;
+
     /// <summary>Normal of the ground in model space at present.</summary>
     public Vector3 Normal;
 

@@ -236,7 +236,7 @@ internal sealed partial class FootingSearch
         Vector3 offset = Vector3.Zero;
         if (shape.Follows)
         {
-            Quaternion follow = shape.Sweep(home);
+            Quaternion follow = FollowingFoot.Heading(shape, Quaternion.Identity, home);
             toes = Rotation.Rotate(follow, toes);
             offset = shape.SoleMiddle - Rotation.Rotate(follow, shape.SoleMiddle);
         }

@@ -36,6 +36,9 @@ internal readonly struct LegLimits
     /// <summary>How far the plane of a leg below its body turns with its foot about the vertical, 0..1. The rest an ankle has to twist that carries its foot by itself: pillars do so little that their feet would be turned along with the body.</summary>
     public readonly float FootShare;
 
+    /// <summary>How far the ankle twists to either side, radians.</summary>
+    public readonly float AnkleTwist;
+
     /// <summary>How far the hip draws the leg in towards the middle, and away from it, radians.</summary>
     public readonly float DrawsIn;
     public readonly float DrawsOut;
@@ -51,7 +54,8 @@ internal readonly struct LegLimits
         AnkleFold = Rotation.FromAxisAngle(Vector3.UnitX, AnkleRange.Max > -AnkleRange.Min ? AnkleRange.Max : AnkleRange.Min);
         AnkleFolded = Rotation.Multiply(skeleton.Joints[ankle].LocalRotation, AnkleFold);
         AngleRange twist = skeleton.Joints[ankle].Limit.Twist;
-        FootShare = linked ? LeastFootShare : Math.Max(LeastFootShare, 1f - (Math.Min(twist.Max, -twist.Min) / FootYaw));
+        AnkleTwist = Math.Min(twist.Max, -twist.Min);
+        FootShare = linked ? LeastFootShare : Math.Max(LeastFootShare, 1f - (AnkleTwist / FootYaw));
         AngleRange aside = skeleton.Joints[hip].Limit.SwingZ;
         (DrawsIn, DrawsOut) = side == Side.Left ? (aside.Max, -aside.Min) : (-aside.Min, aside.Max);
     }

@@ -53,11 +53,12 @@ internal static class FootPoser
         }
 
         foot.Path.Base = from;
+        foot.Path.Planned = heading;
         if (leg.Follows)
         {
-            // The foot turns with the leg on the middle of its sole.
+            // The foot turns with the leg on the middle of its sole, as far as its ankle does not twist.
             Vector3 before = Rotation.Rotate(heading, leg.SoleMiddle);
-            heading = leg.Sweep(from);
+            heading = FollowingFoot.Heading(leg, heading, from);
             Vector3 shift = before - Rotation.Rotate(heading, leg.SoleMiddle);
             from += normal.Y < Level ? Rotation.Rotate(UnitRotation.FromTo(Vector3.UnitY, normal), shift) : shift;
         }

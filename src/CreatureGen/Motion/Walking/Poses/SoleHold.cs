@@ -35,29 +35,29 @@ internal static class SoleHold
             return;
         }
 
-        pose.MoveBy(Rotation.Rotate(state.Path.Heading, state.Leg.Turned.Away) * kept);
+        pose.MoveBy(Rotation.Rotate(state.Path.Planned, state.Leg.Turned.Away) * kept);
     }
 
-    /// <summary>Takes a foot that stands turned to where what of its sole is down stays, however the ground slants; not one that follows its leg.</summary>
+    /// <summary>Takes a foot that stands turned to where what of its sole is down stays, however the ground slants.</summary>
     /// <param name="leg">Whose.</param>
     /// <param name="state">Its state.</param>
     /// <param name="pose">Where the leg has to bring the foot.</param>
     public static void Keep(LegRig leg, ref Foot state, ref FootPose pose)
     {
         ref TurnedFoot turned = ref state.Leg.Turned;
-        if (!turned.Stood || leg.Follows)
+        if (!turned.Stood)
         {
             return;
         }
 
-        Quaternion inverse = Rotation.Inverse(state.Path.Heading);
+        Quaternion inverse = Rotation.Inverse(state.Path.Planned);
         Vector3 normal = Rotation.Rotate(inverse, state.Path.Normal);
         Vector3 way = turned.Ball - Rotation.Rotate(inverse, pose.Ball - state.Path.Base);
         way -= Down(leg, normal, turned, Rotation.Multiply(inverse, pose.Foot), Rotation.Multiply(inverse, pose.Toes));
         Vector3 away = turned.Away + way - (normal * Vec.Dot(normal, way));
         float most = Farthest * leg.Length;
         away *= most / Math.Max(Vec.Length(away), most);
-        pose.MoveBy(Rotation.Rotate(state.Path.Heading, away - turned.Away));
+        pose.MoveBy(Rotation.Rotate(state.Path.Planned, away - turned.Away));
         turned.Away = away;
     }
 
@@ -66,7 +66,7 @@ internal static class SoleHold
     /// <param name="pose">How its leg was posed.</param>
     public static void Remember(ref Foot state, in FootPose pose)
     {
-        Quaternion inverse = Rotation.Inverse(state.Path.Heading);
+        Quaternion inverse = Rotation.Inverse(state.Path.Planned);
         ref TurnedFoot turned = ref state.Leg.Turned;
         turned.Stood = true;
         turned.Foot = Rotation.Multiply(inverse, pose.Foot);
