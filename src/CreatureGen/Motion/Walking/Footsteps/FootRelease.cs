@@ -91,7 +91,7 @@ internal static class FootRelease
     /// <param name="leg">Its leg.</param>
     /// <param name="seconds">Since the last pose.</param>
     public static bool IsTorn(in Foot foot, LegRig leg, float seconds) =>
-        seconds > Overdue && foot.Phase == FootPhase.Stance && foot.Leg.Residual - foot.Plan.Missed > MaxMiss * leg.Length;
+        seconds > 0f && foot.Phase == FootPhase.Stance && foot.Leg.Residual - foot.Plan.Missed > MaxMiss * leg.Length;
 
     /// <summary>How far a foot will be off its place with a chord, metres: a hip that comes to its end between two decisions would drag it along with the body.</summary>
     private static float Missing(in Foot foot, LeggedBody body, LegRig leg, in StepContext step, Vector3 chord)
