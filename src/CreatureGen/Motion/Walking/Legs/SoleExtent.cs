@@ -123,21 +123,30 @@ internal readonly struct SoleExtent
         for (int v = 0; v < positions.Length; v++)
         {
             int leg = legOf[weights[v].Joint0];
-            if (leg >= 0 && weights[v].Weights.X > Firm)
+            if (leg < 0)
             {
-                Vector3 ball = skeleton.ModelPositions[legs[leg].Joints[4]];
-                Vector3 hip = skeleton.ModelPositions[legs[leg].Joints[1]];
-                if (weights[v].Joint0 != legs[leg].Joints[3])
-                {
-                    tips[leg].Add(Vec.Dot(positions[v] - ball, ahead[leg]), positions[v].Y);
-                }
+                continue;
+            }
 
-                if (positions[v].Y < surface[leg] + (LayerFraction * Vec.Distance(hip, new Vector3(ball.X, 0f, ball.Z))))
-                {
-                    Widen(outlines[leg], ahead[leg], positions[v] - ball);
-                    sum[leg] += positions[v] - ball;
-                    count[leg]++;
-                }
+            Vector3 ball = skeleton.ModelPositions[legs[leg].Joints[4]];
+            Vector3 hip = skeleton.ModelPositions[legs[leg].Joints[1]];
+            bool firm = weights[v].Weights.X > Firm;
+            if (firm && weights[v].Joint0 != legs[leg].Joints[3])
+            {
+                tips[leg].Add(Vec.Dot(positions[v] - ball, ahead[leg]), positions[v].Y);
+            }
+
+            bool down = positions[v].Y < surface[leg] + (LayerFraction * Vec.Distance(hip, new Vector3(ball.X, 0f, ball.Z)));
+            if (down && WeightOf(weights[v], legOf, leg) > Firm)
+            {
+                // Skin between its joints is sole as well.
+                Widen(outlines[leg], ahead[leg], positions[v] - ball);
+            }
+
+            if (down && firm)
+            {
+                sum[leg] += positions[v] - ball;
+                count[leg]++;
             }
         }
 
@@ -149,6 +158,10 @@ internal readonly struct SoleExtent
 
         return extents;
     }
+
+    /// <summary>How much a foot moves a vertex, 0..1.</summary>
+    private static float WeightOf(in SkinWeights w, int[] legOf, int leg) =>
+        (legOf[w.Joint0] == leg ? w.Weights.X : 0f) + (legOf[w.Joint1] == leg ? w.Weights.Y : 0f) + (legOf[w.Joint2] == leg ? w.Weights.Z : 0f) + (legOf[w.Joint3] == leg ? w.Weights.W : 0f);
 
     /// <summary>Lets an outline go as far out as a place of the sole.</summary>
     private static void Widen(Vector3[] outline, Vector3 ahead, Vector3 place)
