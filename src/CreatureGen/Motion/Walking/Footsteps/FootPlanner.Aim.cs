@@ -28,8 +28,8 @@ internal sealed partial class FootPlanner
         NextStance stance = Next(leg, step, ahead, flight, out foot.Plan.ForGood);
         Quaternion heading = UnitRotation.Renormalize(Rotation.Multiply(step.Frame.Rotation, AxisRotation.Yaw(stance.Yaw)));
 
-        // Who stands shifts its weight, and its feet go home whatever its hips do.
-        Vector3 next = step.Frame.ToWorld(step.Moving ? LandingRange.Within(body, body.Legs[leg], foot.Leg, step.RootVelocity, flight, stance.Place) : stance.Place);
+        // Who stands shifts its weight, and on level ground its feet go home whatever its hips do.
+        Vector3 next = step.Frame.ToWorld(step.Moving || step.Ground is not IPlaneGround ? LandingRange.Within(body, body.Legs[leg], foot.Leg, step.RootVelocity, flight, stance.Place) : stance.Place);
         bool goesOn = foot.Plan.Swing > 0f && foot.Plan.Aimed;
         Foothold before = foot.Plan.To;
         Vector3 moved = next - foot.Plan.Wanted;

@@ -356,17 +356,19 @@ internal sealed partial class FootPlanner
             return;
         }
 
-        // It stays on the tread that it was to come down on if it is not dragged far for that. Its place is off edges already.
+        // It stays on the tread that it was to come down on if it is not dragged far for that: where it is, as high as that. Its place is off edges already.
         Foothold meant = foot.Plan.To;
         foot.Plan.Shift = 0f;
         Place(leg, step, step.Frame.ToModel(meant.Position) + astray, body.Legs[leg].Home, meant.YawFrom(step.Frame), null, meant.Heading);
-        foot.Plan.To.Attach(step.Ground as IMovingGround);
         bool isNear = Vec.LengthSquared(astray) < Scalar.Square(MaxDrag * body.Legs[leg].Length);
         if (!foot.Plan.HasTarget || (isNear && Math.Abs(Vec.Dot(foot.Plan.To.Position - meant.Position, meant.Normal)) > OtherTread * body.Legs[leg].Length * step.Frame.Scale))
         {
             foot.Plan.To = meant;
+            foot.Plan.To.Position += isNear ? Vec.Reject(Rotation.Rotate(step.Frame.Rotation, astray * step.Frame.Scale), meant.Normal) : Vector3.Zero;
             foot.Plan.HasTarget = true;
         }
+
+        foot.Plan.To.Attach(step.Ground as IMovingGround);
     }
 
     /// <summary>What a standing body has set a foot away from its home, metres of the model.</summary>
