@@ -71,6 +71,9 @@ internal sealed class LegGaitParameters
     /// <summary>How the bones share the work.</summary>
     public LegLinkage Linkage { get; }
 
+    /// <inheritdoc cref="LegRig.FlatFoot"/>
+    public bool FlatFoot => Linkage == LegLinkage.Foot && Kind.Outline.End == FootEnd.Toes;
+
     /// <summary>How far the leg is drawn in towards the middle at most, part of the height of its hip: as far as its foot gives way to a side.</summary>
     public float MaxAdduction => step.MaxAdduction;
 

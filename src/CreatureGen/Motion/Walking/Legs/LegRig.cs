@@ -96,7 +96,7 @@ internal sealed class LegRig
         Length = Vec.Distance(HipRest, Home);
         PostureSeconds = PostureFade.SecondsOf(Length);
         Lateral = Traits.Kind.Build.Posture == LimbPosture.Splayed;
-        FlatFoot = Traits.Linkage == LegLinkage.Foot && Traits.Kind.Outline.End == FootEnd.Toes;
+        FlatFoot = Traits.FlatFoot;
 
         // A foot out to the side rolls over the tip of its own toes.
         Vector3 toes = p[End] - p[Ball];
@@ -115,6 +115,7 @@ internal sealed class LegRig
         double tip = Scalar.Clamp(HighestRoll * Length / Toe, 0, 1);
         RollFraction = FlatFoot ? 1f : Math.Min(1f, (float)PortableMath.Asin(tip) / Traits.ToeOff);
         SoleMiddle = new Vector3(sole.Middle.X, 0f, sole.Middle.Z);
+        Hinder = sole.Hinder;
         Sole = Array.ConvertAll(sole.Outline, place => place - new Vector3(0f, BallHeight, 0f));
         Hinge = Vec.Normalize(Rotation.Rotate(skeleton.ModelRotations[Knee], Vector3.UnitX));
         Vector3 upper = Traits.Linkage == LegLinkage.Pantograph ? Thigh + Metatarsus : Thigh;
@@ -370,6 +371,9 @@ internal sealed class LegRig
 
     /// <summary>From the ball to the outline of the sole at rest, all round it, metres.</summary>
     public Vector3[] Sole { get; }
+
+    /// <inheritdoc cref="SoleExtent.Hinder"/>
+    public int Hinder { get; }
 
     /// <summary>Whether its foot turns along as the leg is swept, on the middle of its sole: that of claws.</summary>
     public bool Follows { get; }

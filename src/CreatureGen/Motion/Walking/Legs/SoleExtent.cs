@@ -21,13 +21,16 @@ internal readonly struct SoleExtent
     /// <summary>Weight from which on a vertex is of the foot alone.</summary>
     private const float Firm = 0.9f;
 
+    /// <summary>Cotangent of the tilt at which what is farthest out of a sole is looked for, 27°.</summary>
+    private const float Tilted = 2f;
+
     /// <summary>Turns a direction by an eighth of a circle.</summary>
     private const float OneOverRootTwo = 0.70710678f;
 
     /// <summary>Directions in which its outline is measured.</summary>
     public const int Directions = 8;
 
-    private SoleExtent(float toe, float heel, (float Fore, float Aft) bumpers, float width, Vector3 middle, Vector3[] outline, ToeTip tip)
+    private SoleExtent(float toe, float heel, (float Fore, float Aft) bumpers, float width, Vector3 middle, Rim rim, ToeTip tip)
     {
         Toe = toe;
         Heel = heel;
@@ -35,12 +38,16 @@ internal readonly struct SoleExtent
         Aft = Math.Max(heel, bumpers.Aft);
         HalfWidth = width;
         Middle = middle;
-        Outline = outline;
+        Outline = rim.Points;
+        Hinder = rim.Hinder;
         Tip = tip;
     }
 
-    /// <summary>From the ball to what of the sole's surface is farthest out in each of so many directions, level.</summary>
+    /// <summary>From the ball to what of the sole's surface is farthest out and down in each of so many directions, level; and how high that is above the ground.</summary>
     public Vector3[] Outline { get; }
+
+    /// <summary>Which of these the ankle moves and not the ball, a bit for each.</summary>
+    public int Hinder { get; }
 
     /// <summary>From the ball to the middle of the sole's surface, level.</summary>
     public Vector3 Middle { get; }
@@ -119,7 +126,8 @@ internal readonly struct SoleExtent
         }
 
         var tips = new ToeTip.Profile[legs.Length];
-        Vector3[][] outlines = Array.ConvertAll(ahead, _ => new Vector3[Directions]);
+        bool[] flat = Array.ConvertAll(legs, leg => LegGaitParameters.Of(leg.Archetype!.Value).FlatFoot);
+        Rim[] rims = Array.ConvertAll(ahead, _ => new Rim());
         for (int v = 0; v < positions.Length; v++)
         {
             int leg = legOf[weights[v].Joint0];
@@ -137,10 +145,11 @@ internal readonly struct SoleExtent
             }
 
             bool down = positions[v].Y < surface[leg] + (LayerFraction * Vec.Distance(hip, new Vector3(ball.X, 0f, ball.Z)));
-            if (down && WeightOf(weights[v], legOf, leg) > Firm)
+            bool hinder = weights[v].Joint0 == legs[leg].Joints[3];
+            if (down && (firm || !(hinder && flat[leg])) && WeightOf(weights[v], legOf, leg) > Firm)
             {
-                // Skin between its joints is sole as well.
-                Widen(outlines[leg], ahead[leg], positions[v] - ball);
+                // Skin between its joints is sole as well, but for the crease in which a heel rises from the toes.
+                rims[leg].Widen(ahead[leg], new Vector3(positions[v].X - ball.X, positions[v].Y, positions[v].Z - ball.Z), hinder);
             }
 
             if (down && firm)
@@ -153,7 +162,7 @@ internal readonly struct SoleExtent
         var extents = new SoleExtent[legs.Length];
         for (int i = 0; i < legs.Length; i++)
         {
-            extents[i] = new SoleExtent(toe[i], heel[i], bumpers[i], width[i], count[i] > 0 ? sum[i] / count[i] : ahead[i] * (0.5f * (toe[i] - heel[i])), outlines[i], tips[i].Fit(toe[i]));
+            extents[i] = new SoleExtent(toe[i], heel[i], bumpers[i], width[i], count[i] > 0 ? sum[i] / count[i] : ahead[i] * (0.5f * (toe[i] - heel[i])), rims[i], tips[i].Fit(toe[i]));
         }
 
         return extents;
@@ -163,19 +172,35 @@ internal readonly struct SoleExtent
     private static float WeightOf(in SkinWeights w, int[] legOf, int leg) =>
         (legOf[w.Joint0] == leg ? w.Weights.X : 0f) + (legOf[w.Joint1] == leg ? w.Weights.Y : 0f) + (legOf[w.Joint2] == leg ? w.Weights.Z : 0f) + (legOf[w.Joint3] == leg ? w.Weights.W : 0f);
 
-    /// <summary>Lets an outline go as far out as a place of the sole.</summary>
-    private static void Widen(Vector3[] outline, Vector3 ahead, Vector3 place)
+    /// <summary>The rim of a sole as it is found, place by place.</summary>
+    private sealed class Rim
     {
-        place.Y = 0f;
-        Vector3 direction = ahead;
-        for (int i = 0; i < outline.Length; i++)
-        {
-            if (Vec.Dot(direction, place) > Vec.Dot(direction, outline[i]))
-            {
-                outline[i] = place;
-            }
+        private readonly float[] farthest = new float[Directions];
 
-            direction = new Vector3(direction.X + direction.Z, 0f, direction.Z - direction.X) * OneOverRootTwo;
+        public Rim() => Array.Fill(farthest, float.MinValue);
+
+        public Vector3[] Points { get; } = new Vector3[Directions];
+
+        public int Hinder { get; private set; }
+
+        /// <summary>Lets it go as far out and down as a place of the sole: to where it would touch the ground if it were tilted that way.</summary>
+        /// <param name="ahead">Where the toes point, level, unit.</param>
+        /// <param name="place">From the ball, its height above the ground.</param>
+        /// <param name="hinder">Whether the ankle moves it and not the ball.</param>
+        public void Widen(Vector3 ahead, Vector3 place, bool hinder)
+        {
+            Vector3 direction = ahead;
+            for (int i = 0; i < Points.Length; i++)
+            {
+                float far = Vec.Dot(direction, place) - (Tilted * place.Y);
+                if (far > farthest[i])
+                {
+                    (Points[i], farthest[i]) = (place, far);
+                    Hinder = hinder ? Hinder | (1 << i) : Hinder & ~(1 << i);
+                }
+
+                direction = new Vector3(direction.X + direction.Z, 0f, direction.Z - direction.X) * OneOverRootTwo;
+            }
         }
     }
 }

@@ -41,15 +41,14 @@ internal static class SoleEdge
         return way / sum;
     }
 
-    /// <summary>Where the outline of the sole is from the ball: ahead of it with the toes, behind it with the foot.</summary>
+    /// <summary>Where the outline of the sole is from the ball: what the ankle moves of it with the foot, all else with the toes.</summary>
     /// <returns>How far the lowest of it is along the normal.</returns>
     public static float Lay(LegRig leg, Vector3 normal, Quaternion foot, Quaternion toes, Span<Vector3> points)
     {
         float lowest = float.MaxValue;
         for (int i = 0; i < points.Length; i++)
         {
-            Vector3 place = leg.Sole[i];
-            points[i] = Rotation.Rotate(Vec.Dot(place, leg.ToeDirection) < 0f ? foot : toes, place);
+            points[i] = Rotation.Rotate((leg.Hinder & (1 << i)) != 0 ? foot : toes, leg.Sole[i]);
             lowest = Math.Min(lowest, Vec.Dot(normal, points[i]));
         }
 
