@@ -78,17 +78,19 @@ internal sealed class FlyingMode : IWingedMode
     public RootPlace Update(RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         FlightInput asked;
+        float left;
         state.Left = dt;
         do
         {
             bool before = IsOnFeet;
             FlightPhase phase = state.Phase;
-            float left = state.Left;
+            left = state.Left;
             RootDelta way = Fly(place, left, input, settings, HeightOf(place, settings, ground), layer, out asked);
             float gone = left - state.Left;
             if (before)
             {
                 legs!.Sink = (float)(profile.CrouchDepth * state.CrouchDepth);
+                legs.IsMixed = !StancePose.IsWhole(state.Planted.Value);
                 place = legs.Update(place, gone, OnFoot(phase, input, place.Scale), settings, ground, layer, stance.Cleared());
                 Speed = legs.Speed;
             }
@@ -108,7 +110,7 @@ internal sealed class FlyingMode : IWingedMode
             Reach(place, settings, ground, layer);
         }
 
-        Write(asked, local);
+        Write(asked, left, local);
         return place;
     }
 
@@ -118,11 +120,13 @@ internal sealed class FlyingMode : IWingedMode
         MotionMedium medium = height > AirborneHeight * profile.LegLength ? MotionMedium.Air : MotionMedium.Ground;
         MotionInput input = RootStep.Asked(place, dt, goal, medium);
         FlightInput asked;
+        float left;
         state.Left = dt;
         do
         {
             bool before = IsOnFeet;
-            Fly(goal, state.Left, input, settings, height, layer, out asked);
+            left = state.Left;
+            Fly(goal, left, input, settings, height, layer, out asked);
             Speed = before ? legs!.Speed : state.Speed;
             turn = (float)state.Turn.Value;
             Change(before, goal, settings, ground, layer);
@@ -131,7 +135,8 @@ internal sealed class FlyingMode : IWingedMode
 
         if (IsOnFeet)
         {
-            legs!.Follow(place, dt, goal, settings, ground, layer, stance.Cleared());
+            legs!.IsMixed = !StancePose.IsWhole(state.Planted.Value);
+            legs.Follow(place, dt, goal, settings, ground, layer, stance.Cleared());
             Speed = legs.Speed;
         }
         else
@@ -139,7 +144,7 @@ internal sealed class FlyingMode : IWingedMode
             Reach(goal, settings, ground, layer);
         }
 
-        Write(asked, local);
+        Write(asked, left, local);
     }
 
     public void Stand(in RootPlace place, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
@@ -155,7 +160,7 @@ internal sealed class FlyingMode : IWingedMode
             legs.Stand(place, settings, ground, layer, stance.Cleared());
         }
 
-        Write(asked, local);
+        Write(asked, 0f, local);
     }
 
     public void HoldWings(in RootPlace place, float dt, bool open, in MotionSettings settings, BodyLayer? layer, in Pose local)
@@ -170,7 +175,7 @@ internal sealed class FlyingMode : IWingedMode
         while (state.Left > 0f);
         Speed = legs!.Speed;
         stance.Take(local);
-        Write(asked, local);
+        Write(asked, 0f, local);
     }
 
     public void TakeWing(Vector3 velocity)
@@ -246,12 +251,19 @@ internal sealed class FlyingMode : IWingedMode
     }
 
     /// <summary>Writes the pose: last, for folded wings swing with the steps of this very update.</summary>
-    private void Write(in FlightInput asked, in Pose local)
+    /// <param name="asked">What it is to do.</param>
+    /// <param name="dt">Seconds since it was shown on its legs alone, or since the pose before.</param>
+    /// <param name="local">The pose.</param>
+    private void Write(in FlightInput asked, float dt, in Pose local)
     {
         FlightPose.Write(profile, state, asked with { Sway = IsOnFeet ? legs!.Sway : default }, local);
         if (legs != null)
         {
             stance.Mix(state.Planted.Value, local);
+            if (!StancePose.IsWhole(state.Planted.Value))
+            {
+                legs.KeepPace(dt, local);
+            }
         }
     }
 

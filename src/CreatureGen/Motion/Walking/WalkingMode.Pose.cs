@@ -97,6 +97,11 @@ internal sealed partial class WalkingMode
                 poser.PoseLeg(i, placer, ref foot, poses[i], tuck, trail, local);
             }
         }
+
+        if (!IsMixed)
+        {
+            KeepPace(dt, local);
+        }
     }
 
     private GaitNumbers Numbers(float dt, in MotionSettings settings, BodyLayer? layer) =>

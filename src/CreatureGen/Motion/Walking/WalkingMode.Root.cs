@@ -139,6 +139,7 @@ internal sealed partial class WalkingMode
         arrived = true;
         PlaceFeet(place, settings, null);
         placer.Reset(planner.Feet);
+        pace.Forget();
     }
 
     private RootPlace Update(RootPlace placement, float dt, in MotionInput input, in MotionSettings asked, IGround ground, BodyLayer? layer)

@@ -58,6 +58,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
     private readonly BodyPlacer placer;
     private readonly RestRotations turns;
     private readonly LegPoser poser;
+    private readonly LegPace pace;
     private readonly CarriedWings? wings;
     private readonly bool winged;
     private RootVelocity velocity;
@@ -94,6 +95,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
         placer = new BodyPlacer(body);
         turns = body.Turns;
         poser = new LegPoser(body, turns);
+        pace = new LegPace(body, turns);
     }
 
     public Gait Gait => clock.Gait;
@@ -133,6 +135,9 @@ internal sealed partial class WalkingMode : ILocomotionMode
     /// <summary>How folded wings swing with it.</summary>
     public WingSway Sway => sway;
 
+    /// <summary>Whether another way of moving has a part in its pose, so that it is that pose whose legs are to keep to their pace.</summary>
+    public bool IsMixed { get; set; }
+
     /// <summary>How it goes at present, metres per second of the model, and radians per second.</summary>
     public BodyVelocity Velocity => new(new Vector3(velocity.Sideways, 0f, velocity.Speed), velocity.Turn);
 
@@ -167,6 +172,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
         told = settings.Walking.Gait;
         Stand(place, settings, ground, layer);
         Pose(place, 0f, settings, layer, null, local);
+        pace.Show(local);
     }
 
     /// <summary>Poses it as it comes down to the ground at a run: in the stride that goes with its speed, a foot of the hindmost pair about to stand.</summary>
@@ -210,6 +216,17 @@ internal sealed partial class WalkingMode : ILocomotionMode
     /// <param name="layer">What an act asks of trunk and feet.</param>
     /// <param name="local">Receives the pose.</param>
     public void Hold(in RootPlace place, float dt, in MotionSettings settings, BodyLayer? layer, in Pose local) => Pose(place, dt, settings, layer, null, local);
+
+    /// <summary>Has the legs keep to their pace in a pose in which another way of moving has a part.</summary>
+    /// <param name="dt">Seconds since the pose before.</param>
+    /// <param name="local">The pose.</param>
+    public void KeepPace(float dt, in Pose local)
+    {
+        if (dt > 0f)
+        {
+            pace.Bound(dt, planner.Feet, local);
+        }
+    }
 
     /// <summary>Pushes the body; what it intends stays as it is, and its feet step after it.</summary>
     /// <param name="push">Change of its velocity, metres per second of the model, in its own axes.</param>
@@ -258,6 +275,8 @@ internal sealed partial class WalkingMode : ILocomotionMode
         clock.CopyFrom(mode.clock);
         planner.CopyFrom(mode.planner);
         placer.CopyFrom(mode.placer);
+        pace.CopyFrom(mode.pace);
+        IsMixed = mode.IsMixed;
         (velocity, pushed, acceleration, gait, told, activity, life) = (mode.velocity, mode.pushed, mode.acceleration, mode.gait, mode.told, mode.activity, mode.life);
         (standing, moving, going, arrived, ticker) = (mode.standing, mode.moving, mode.going, mode.arrived, mode.ticker);
         (activityDecay, height, raiseDecay, Sink, Bow, Raised, Facing) = (mode.activityDecay, mode.height, mode.raiseDecay, mode.Sink, mode.Bow, mode.Raised, mode.Facing);
