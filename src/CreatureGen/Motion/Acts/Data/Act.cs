@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Acts.Data;
 
 namespace CreatureGen.Motion;
 
@@ -9,6 +10,7 @@ namespace CreatureGen.Motion;
 public sealed class Act
 {
     private readonly float[][] ends;
+    private readonly float[][] speeds;
     private readonly ActPhase[] phases;
 
     /// <summary>An act of these phases. What its last phase does not bring back to 0 returns by itself.</summary>
@@ -36,6 +38,8 @@ public sealed class Act
                 ends[i][(int)channel] = value;
             }
         }
+
+        speeds = Passage.Speeds(this.phases, ends);
     }
 
     private Act(Act other)
@@ -44,6 +48,7 @@ public sealed class Act
         Kind = other.Kind;
         phases = other.phases;
         ends = other.ends;
+        speeds = other.speeds;
         Needs = other.Needs;
         Builds = other.Builds;
         Tool = other.Tool;
@@ -84,6 +89,9 @@ public sealed class Act
 
     /// <summary>Values of all channels at the end of each phase.</summary>
     internal ReadOnlySpan<float[]> Ends => ends;
+
+    /// <summary>How quickly they go there into the next, per time unit.</summary>
+    internal ReadOnlySpan<float[]> Speeds => speeds;
 
     /// <summary>The phases without a call for each.</summary>
     internal ReadOnlySpan<ActPhase> AllPhases => phases;
