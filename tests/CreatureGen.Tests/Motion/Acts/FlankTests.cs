@@ -7,6 +7,7 @@ using CreatureGen.Creatures;
 using CreatureGen.Inspection;
 using CreatureGen.Maths;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Acts.Bodies;
 using CreatureGen.Motion.Metrics;
 using CreatureGen.Motion.Subjects;
 using CreatureGen.Rigging;
@@ -190,6 +191,24 @@ public class FlankTests
         Walkers.Run(animator, die.SecondsToLast, Rate, default, FlatGround.Level);
         float lowest = profile.Fall.Value.Support.Lowest(animator.Root, animator.ModelPose, Vector3.UnitY, FlatGround.Level);
         Assert.InRange(lowest / profile.Fall.Value.Ragdoll.Size, -0.02f, 0.01f);
+    }
+
+    /// <summary>An ear as deep in the ground as 2.5 or 7 % of the body kept them on their bellies, as if alive.</summary>
+    [Theory]
+    [InlineData(23200100UL)]
+    [InlineData(23200103UL)]
+    public void Ears_below_a_head_fold_and_let_a_body_die_on_its_flank(ulong seed)
+    {
+        var profile = new MotionProfile(KeptCreatures.Of(seed));
+        ActAbility die = profile.Acts.Find("Die");
+        Assert.Contains(die.Act.Phases.SelectMany(phase => phase.Ends), end => end.Channel == ActChannel.OnFlank && end.Value != 0f);
+        var animator = new CreatureAnimator(profile);
+        animator.Teleport(animator.Root, FlatGround.Level);
+        animator.Perform(die);
+        Walkers.Run(animator, die.SecondsToLast + 1f, Rate, default, FlatGround.Level);
+        ActBody body = profile.Acts.Body;
+        Assert.NotEmpty(body.EarSkins);
+        Assert.All(body.EarSkins, ear => Assert.InRange(ear.Skin.Lowest(animator.ModelPose) / body.Size, -0.012f, 1f));
     }
 
     /// <summary>What is to the left of a joint at rest.</summary>

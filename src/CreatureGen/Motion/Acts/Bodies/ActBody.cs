@@ -71,6 +71,7 @@ internal sealed class ActBody
         HeadSkin = Skin.Of(joint => Hangs(joint, Bearers.Length > 0 ? Bearers[0] : -1) && !Array.Exists(feelers, feeler => Hangs(joint, feeler.Joints[0])));
         BearerSkins = Build == BodyBuild.Legless ? Array.ConvertAll(Bearers, bearer => Skin.Of(joint => joint == bearer)) : Array.Empty<BonePoints>();
         FaceSkin = Skin.Of(joint => Hangs(joint, Head) && !Array.Exists(feelers, feeler => Hangs(joint, feeler.Joints[0])));
+        EarSkins = Array.ConvertAll(Joints(JointRole.Ear), ear => (ear, Skin.Of(joint => Hangs(joint, ear))));
         FurtherHeads = FurtherHeadsOf();
         JawSkin = Skin.Of(joint => Hangs(joint, Jaw));
         TailSkin = Skin.Of(joint => Hangs(joint, Tail.Count > 0 ? Tail.Joints[0] : -1));
@@ -172,6 +173,9 @@ internal sealed class ActBody
 
     /// <summary>The same of the head alone.</summary>
     public BonePoints FaceSkin { get; }
+
+    /// <summary>Joints of ears, those of each from its root, and the skin that hangs on each.</summary>
+    public (int Joint, BonePoints Skin)[] EarSkins { get; }
 
     /// <summary>Heads beside the first one.</summary>
     public FurtherHead[] FurtherHeads { get; }

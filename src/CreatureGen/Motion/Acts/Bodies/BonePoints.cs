@@ -127,6 +127,24 @@ internal sealed class BonePoints
         return lowest;
     }
 
+    /// <summary>The same, and where that point is, model space.</summary>
+    public float Lowest(in ActGround ground, in Pose model, out Vector3 at)
+    {
+        float lowest = float.MaxValue;
+        at = default;
+        foreach (SkinPoint point in points)
+        {
+            Vector3 place = point.PlaceIn(model);
+            float height = ground.HeightOf(place);
+            if (height < lowest)
+            {
+                (lowest, at) = (height, place);
+            }
+        }
+
+        return lowest;
+    }
+
     /// <summary>Height of the lowest point of a pose, metres.</summary>
     public float Lowest(in Pose model)
     {

@@ -238,6 +238,7 @@ internal sealed class Performer
         {
             RollOver(local, model);
             Settle(ground, local, model);
+            GroundedEars.Keep(body, ground, local, model);
             ends.KeepHead(ground, over, local, model);
             ends.KeepTail(ground, over, local, model);
             ends.KeepArms(ground, over, layer.Loose > 0f, local, model);
@@ -256,6 +257,7 @@ internal sealed class Performer
             // What hangs on the head goes where that is brought.
             ends.KeepJaw(ground, layer.JawTurn(values), local, model);
             ends.KeepFeelers(ground, over, local, model);
+            GroundedEars.Keep(body, ground, local, model);
         }
     }
 
@@ -265,7 +267,7 @@ internal sealed class Performer
     /// <param name="model">The same in model space.</param>
     public void KeepFurtherHeadsOffGround(in ActGround ground, in Pose local, in Pose model) => ends.KeepFurtherHeads(ground, over, local, model);
 
-    /// <summary>Raises out of the ground what has swung into it since: tail and feelers, whose springs know less of their skin.</summary>
+    /// <summary>Raises out of the ground what has swung into it since: tail, feelers and ears, whose springs know less of their skin.</summary>
     /// <param name="ground">That the feet stand on.</param>
     /// <param name="local">The pose.</param>
     /// <param name="model">The same in model space.</param>
@@ -273,6 +275,7 @@ internal sealed class Performer
     {
         ends.KeepTail(ground, over, local, model);
         ends.KeepFeelers(ground, over, local, model);
+        GroundedEars.Keep(body, ground, local, model);
     }
 
     /// <summary>The joint that an act strikes or sounds with, and its place.</summary>
