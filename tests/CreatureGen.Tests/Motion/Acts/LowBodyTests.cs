@@ -59,6 +59,19 @@ public class LowBodyTests
     [InlineData(11200004UL, Explicit = true)]
     public void A_crawler_dances(ulong seed) => Assert.Null(Crawler(seed).Acts.Find("Dance").Refusal);
 
+    /// <summary>It lay down flat along the ground, from where it could not strike.</summary>
+    [Theory]
+    [InlineData(11200000UL)]
+    [InlineData(11200004UL, Explicit = true)]
+    public void A_startled_crawler_draws_its_head_up(ulong seed)
+    {
+        MotionProfile profile = Crawler(seed);
+        CreatureAnimator animator = Performing(profile, "Flinch", out ActAbility flinch);
+        float carried = Height(animator, JointRole.Head);
+        Walkers.Run(animator, flinch.SecondsTo(1), Rate, default, FlatGround.Level);
+        Assert.InRange(Height(animator, JointRole.Head) / carried, 1.2f, 10f);
+    }
+
     /// <summary>They kept it as high as they carry it, which is not much higher than a head that lies.</summary>
     [Theory]
     [InlineData(11200000UL, "Die")]

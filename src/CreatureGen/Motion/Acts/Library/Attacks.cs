@@ -40,19 +40,14 @@ internal static class Attacks
             new ActPhase("hook", 0.8f, ActEase.Out).To(Reach, 0.15f).To(ForeDown, 0.05f).To(NeckPitch, 0.5f).To(HeadPitch, 0.15f).To(HeadRoll, 0.3f).To(NeckSide, 0.2f),
             new ActPhase("recover", 2.2f).To(Reach, 0f).To(Ahead, 0f).To(ForeDown, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(HeadRoll, 0f).To(NeckSide, 0f).To(Ears, 0f).To(TailPitch, 0f))
             .Needing(ActNeeds.Horns | ActNeeds.Head).With(ActTool.Brow, 0.2f).For(BodyBuild.Standing),
+        ClawOfArms(1f).Needing(ActNeeds.Arms | ActNeeds.Legs).For(BodyBuild.TwoLegged | BodyBuild.Upright),
+        ClawOfArms(0.4f).Needing(ActNeeds.Arms | ActNeeds.Legs).For(BodyBuild.Standing),
         new Act("Claw", ActKind.Strike,
-            new ActPhase("raise", 1.9f).To(ArmAhead, 0.5f).To(ArmOut, 1.1f).To(ArmBend, 1.2f).To(BackTwist, 0.15f).To(BackSide, -0.2f).To(Yaw, -0.12f).To(Jaw, 0.5f).To(Ears, 0.6f).AtLeast(Seen).Then(ActMark.Commit),
-            new ActPhase("strike", 0.75f, ActEase.In).To(Ahead, 0.12f).To(ArmAhead, 0.9f).To(ArmOut, 0.3f).To(ArmBend, 0.2f).To(BackTwist, -0.1f).To(Yaw, 0.12f).To(Reach, 0.85f),
-            new ActPhase("hit", 0.3f, ActEase.Out).To(Reach, 1f).Then(ActMark.Contact),
-            new ActPhase("tear", 0.9f, ActEase.Out).To(Reach, 0f).To(ArmAhead, 0.3f).To(ArmOut, -0.3f).To(ArmBend, 0.5f),
-            new ActPhase("recover", 1.8f).To(Ahead, 0f).To(ArmAhead, 0f).To(ArmOut, 0f).To(ArmBend, 0f).To(BackTwist, 0f).To(BackSide, 0f).To(Yaw, 0f).To(Jaw, 0f).To(Ears, 0f))
-            .Needing(ActNeeds.Arms | ActNeeds.Legs).With(ActTool.Hand).For(BodyBuild.Standing),
-        new Act("Claw", ActKind.Strike,
-            new ActPhase("raise", 1.7f).To(Aside, -0.10f).To(Ahead, -0.12f).To(HindDown, 0.10f).To(Yaw, -0.04f).To(ForeFootUp, 0.5f).To(ForeFootAhead, -0.02f).To(ForeFootOut, 0.22f).To(ForeFootPitch, 0.9f).To(NeckPitch, 0.3f).To(NeckSide, -0.2f).To(Ears, 0.8f).To(Jaw, 0.35f).To(TailPitch, 0.3f).AtLeast(Seen).Then(ActMark.Commit),
-            new ActPhase("strike", 0.5f, ActEase.In).To(Ahead, 0.12f).To(ForeDown, 0.04f).To(HindDown, 0f).To(Yaw, 0.02f).To(ForeFootPitch, -0.4f).To(NeckPitch, 0f).To(NeckSide, 0.1f).To(Jaw, 0.7f).To(Reach, 0.85f),
+            new ActPhase("raise", 1.7f).To(Aside, -0.10f).To(Ahead, -0.12f).To(HindDown, 0.10f).To(Yaw, -0.04f).To(ForeFootUp, 0.5f).To(ForeFootAhead, -0.02f).To(ForeFootOut, 0.22f).To(ForeFootPitch, 0.9f).To(NeckPitch, 0.3f).To(NeckSide, -0.2f).To(Ears, 0.8f).To(Jaw, 0.35f).To(TailPitch, 0.3f).To(TailSide, 0.5f).AtLeast(Seen).Then(ActMark.Commit),
+            new ActPhase("strike", 0.5f, ActEase.In).To(Ahead, 0.12f).To(ForeDown, 0.04f).To(HindDown, 0f).To(Yaw, 0.02f).To(ForeFootPitch, -0.4f).To(NeckPitch, 0f).To(NeckSide, 0.1f).To(TailSide, -0.5f).To(Jaw, 0.7f).To(Reach, 0.85f),
             new ActPhase("hit", 0.2f, ActEase.Out).To(Reach, 1f).Then(ActMark.Contact),
             new ActPhase("rake", 0.7f, ActEase.Out).To(Reach, 0f).To(Ahead, 0.04f).To(ForeDown, 0.14f).To(Yaw, 0.03f).To(ForeFootUp, 0.2f).To(ForeFootAhead, 0.22f).To(ForeFootOut, -0.22f).To(ForeFootPitch, 0.2f).To(NeckPitch, -0.2f),
-            new ActPhase("down", 1.3f).To(ForeDown, 0f).To(Yaw, 0f).To(ForeFootUp, 0f).To(ForeFootAhead, 0f).To(ForeFootOut, 0f).To(ForeFootPitch, 0f).To(NeckPitch, 0f).To(NeckSide, 0f).To(Jaw, 0f),
+            new ActPhase("down", 1.3f).To(ForeDown, 0f).To(Yaw, 0f).To(ForeFootUp, 0f).To(ForeFootAhead, 0f).To(ForeFootOut, 0f).To(ForeFootPitch, 0f).To(NeckPitch, 0f).To(NeckSide, 0f).To(TailSide, 0f).To(Jaw, 0f),
             new ActPhase("recover", 1.4f).To(Aside, 0f).To(Ahead, 0f).To(Ears, 0f).To(TailPitch, 0f))
             .Needing(ActNeeds.FourLegs).With(ActTool.ForeFoot).For(BodyBuild.Pawed | BodyBuild.Sprawling).OnTheSpot(),
         new Act("Claw", ActKind.Strike,
@@ -101,12 +96,22 @@ internal static class Attacks
 
     /// <summary>Drawn back over the feet, struck out, and wrenched to and fro: by the back, or by the head alone where low legs, or many, leave that no room.</summary>
     private static Act BiteOnLegs(ActPhase wrench) => new Act("Bite", ActKind.Strike,
-        new ActPhase("draw", 1.4f).To(Ahead, -0.18f).To(ForeDown, 0.10f).To(HindDown, 0.08f).To(NeckPitch, 0.35f).To(Jaw, 0.25f).To(Ears, 0.6f).To(TailPitch, 0.2f).AtLeast(Seen).Then(ActMark.Commit),
-        new ActPhase("strike", 0.55f, ActEase.In).To(Ahead, 0.04f).To(NeckPitch, 0f).To(Jaw, 1f).To(Reach, 0.85f),
-        new ActPhase("shut", 0.22f, ActEase.Out).To(Jaw, 0.1f).To(Reach, 1f).Then(ActMark.Contact),
-        wrench,
-        new ActPhase("recover", 2.0f).To(Reach, 0f).To(Ahead, 0f).To(ForeDown, 0f).To(HindDown, 0f).To(Jaw, 0f).To(Ears, 0f).To(TailPitch, 0f))
+        new ActPhase("draw", 1.4f).To(Ahead, -0.18f).To(ForeDown, 0.10f).To(HindDown, 0.08f).To(NeckPitch, 0.35f).To(Jaw, 0.25f).To(Ears, 0.6f).To(TailPitch, -0.15f).To(ArmsBend, 0.5f).AtLeast(Seen).Then(ActMark.Commit),
+        new ActPhase("strike", 0.55f, ActEase.In).To(Ahead, 0.04f).To(NeckPitch, 0f).To(Jaw, 1f).To(Reach, 0.85f).To(TailPitch, 0.4f).To(ArmsBend, 0f).To(ArmsAhead, 0.3f),
+        new ActPhase("shut", 0.22f, ActEase.Out).To(Jaw, 0.1f).To(Reach, 1f).To(Ears, 1f).To(Lids, 0.6f).Then(ActMark.Contact),
+        wrench.With(new ActWave(TailSide, 0.4f, 1.5f, 0.3f)),
+        new ActPhase("recover", 2.0f).To(Reach, 0f).To(Ahead, 0f).To(ForeDown, 0f).To(HindDown, 0f).To(Jaw, 0f).To(Lids, 0f).To(Ears, 0f).To(TailPitch, 0f).To(ArmsAhead, 0f))
         .Needing(ActNeeds.Head).With(ActTool.Mouth, 0.15f);
+
+    /// <summary>An arm drawn back with its shoulder, and struck out: the trunk winds up and lets go, and the tail goes against it.</summary>
+    /// <param name="turn">How far the trunk turns over its feet: four leave it less room than two.</param>
+    private static Act ClawOfArms(float turn) => new Act("Claw", ActKind.Strike,
+        new ActPhase("raise", 1.9f).To(Ahead, -0.08f * turn).To(HindDown, 0.1f * turn).To(ArmAhead, 0.5f).To(ArmOut, 1.1f).To(ArmBend, 1.2f).To(ArmsOut, 0.2f).To(BackTwist, 0.25f * turn).To(BackSide, -0.2f * turn).To(Yaw, 0.25f * turn).To(NeckSide, -0.2f).To(TailSide, -0.4f).To(Jaw, 0.5f).To(Ears, 0.6f).AtLeast(Seen).Then(ActMark.Commit),
+        new ActPhase("strike", 0.75f, ActEase.In).To(Ahead, 0.12f).To(HindDown, 0.02f * turn).To(ArmAhead, 0.9f).To(ArmOut, 0.3f).To(ArmBend, 0.2f).To(ArmsOut, 0f).To(BackTwist, -0.2f * turn).To(Yaw, -0.2f * turn).To(NeckSide, 0.15f).To(TailSide, 0.4f).To(Jaw, 0.8f).To(Reach, 0.85f),
+        new ActPhase("hit", 0.3f, ActEase.Out).To(Reach, 1f).Then(ActMark.Contact),
+        new ActPhase("tear", 0.9f, ActEase.Out).To(Reach, 0f).To(ArmAhead, 0.3f).To(ArmOut, -0.3f).To(ArmBend, 0.5f).To(BackSide, 0.1f * turn).To(Yaw, -0.28f * turn).To(HindDown, 0.12f * turn),
+        new ActPhase("recover", 1.8f).To(Ahead, 0f).To(HindDown, 0f).To(ArmAhead, 0f).To(ArmOut, 0f).To(ArmBend, 0f).To(BackTwist, 0f).To(BackSide, 0f).To(Yaw, 0f).To(NeckSide, 0f).To(TailSide, 0f).To(Jaw, 0f).To(Ears, 0f))
+        .With(ActTool.Hand);
 
     /// <summary>As scorpions do: the tail rolled up over a body that crouches, and struck out ahead.</summary>
     private static Act OverBack() => new Act("Sting", ActKind.Strike,

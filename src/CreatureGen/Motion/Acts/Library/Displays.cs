@@ -16,13 +16,13 @@ internal static class Displays
         new Act("Call", ActKind.Display,
             new ActPhase("breath", 2.0f).To(Ahead, -0.08f).To(NeckPitch, -0.1f).To(BackPitch, 0.08f).To(ForeDown, 0.04f).AtLeast(0.2f).Then(ActMark.SoundBegin),
             new ActPhase("burst", 0.8f, ActEase.Over).To(Ahead, 0.10f).To(NeckPitch, 0.35f).To(HeadPitch, 0.25f).To(Jaw, 1f).To(Ears, 0.6f).To(TailPitch, 0.3f).To(Wings, 0.3f).To(ArmsOut, 0.3f),
-            new ActPhase("sustain", 4.5f).To(Jaw, 0.85f).With(new ActWave(HeadSide, 0.2f, 1f)).With(new ActWave(Jaw, 0.05f, 12f)).With(new ActWave(HeadPitch, 0.02f, 12f)),
+            new ActPhase("sustain", 4.5f).To(Jaw, 0.85f).With(new ActWave(NeckSide, 0.15f, 1f)).With(new ActWave(HeadSide, 0.2f, 1f, 0.1f)).With(new ActWave(Jaw, 0.05f, 12f)).With(new ActWave(HeadPitch, 0.02f, 12f)),
             new ActPhase("close", 0.9f).To(Jaw, 0f).Then(ActMark.SoundEnd),
             new ActPhase("recover", 1.8f).To(Ahead, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(BackPitch, 0f).To(ForeDown, 0f).To(Ears, 0f).To(TailPitch, 0f).To(Wings, 0f).To(ArmsOut, 0f))
             .Needing(ActNeeds.Jaw),
         new Act("Threaten", ActKind.Display,
             new ActPhase("rise", 2.4f).To(NeckPitch, 1.25f).To(HeadPitch, -1.0f),
-            new ActPhase("show", 6f).To(Jaw, 0.5f).With(new ActWave(NeckSide, 0.2f, 2f)).With(new ActWave(HeadSide, -0.15f, 2f)),
+            new ActPhase("show", 6f).To(Jaw, 0.5f).With(new ActWave(NeckSide, 0.3f, 2f)).With(new ActWave(HeadSide, -0.2f, 2f)).With(new ActWave(NeckPitch, 0.15f, 4f, 0.25f)).With(new ActWave(Jaw, 0.2f, 4f, 0.5f)).With(new ActWave(TailSide, 0.4f, 2f, 0.3f)),
             new ActPhase("sink", 3f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(Jaw, 0f))
             .Needing(ActNeeds.Head).For(BodyBuild.Legless),
         new Act("Threaten", ActKind.Display,
@@ -33,7 +33,7 @@ internal static class Displays
         new Act("Threaten", ActKind.Display,
             new ActPhase("gather", 1.4f).To(HindDown, 0.12f).To(Ahead, -0.05f).To(Ears, 0.9f),
             new ActPhase("rear", 1.8f, ActEase.Smooth).To(HindDown, 0.2f).To(Pitch, 0.4f).To(ForeFeetUp, 0.3f).To(ForeFeetAhead, 0.3f).To(ForeFeetOut, 0.15f).To(NeckPitch, 0.2f).To(Jaw, 0.8f).To(TailPitch, 0.5f).To(Wings, 0.8f).To(ArmsOut, 0.6f).To(ArmsAhead, 0.6f).To(ArmsBend, 0.5f),
-            new ActPhase("show", 5f).With(new ActWave(ForeFootUp, 0.08f, 3f)).With(new ActWave(Roll, 0.04f, 2f)),
+            new ActPhase("show", 5f).With(new ActWave(ForeFootUp, 0.12f, 3f)).With(new ActWave(Roll, 0.06f, 2f)).With(new ActWave(NeckSide, 0.25f, 2f)).With(new ActWave(HeadSide, 0.15f, 2f, 0.1f)).With(new ActWave(Jaw, 0.2f, 4f, 0.25f)).With(new ActWave(TailSide, 0.5f, 2f, 0.3f)),
             new ActPhase("drop", 1.8f).To(Pitch, 0f).To(ForeFeetUp, 0f).To(ForeFeetAhead, 0f).To(ForeFeetOut, 0f).To(HindDown, 0f).To(Jaw, 0f),
             new ActPhase("recover", 1.6f).To(Ahead, 0f).To(NeckPitch, 0f).To(Ears, 0f).To(TailPitch, 0f).To(Wings, 0f).To(ArmsOut, 0f).To(ArmsAhead, 0f).To(ArmsBend, 0f))
             .Needing(ActNeeds.FourLegs).For(BodyBuild.ManyLegged | BodyBuild.Sprawling).OnTheSpot(),
@@ -46,7 +46,7 @@ internal static class Displays
             .Needing(ActNeeds.FourLegs).For(BodyBuild.ManyLegged).OnTheSpot(),
         new Act("Threaten", ActKind.Display,
             new ActPhase("rise", 1.6f).To(HindDown, 0.1f).To(Pitch, 0.3f).To(NeckPitch, 0.1f).To(Ears, 0.9f).To(Wings, 0.9f).To(ArmsOut, 0.9f).To(ArmsAhead, 0.5f).To(ArmsBend, 0.6f).To(TailPitch, -0.15f),
-            new ActPhase("show", 6f).To(Jaw, 0.9f).To(Ahead, 0.08f).With(new ActWave(NeckSide, 0.2f, 2f)).With(new ActWave(Roll, 0.04f, 2f, 0.1f)).With(new ActWave(Wings, 0.1f, 6f)),
+            new ActPhase("show", 6f).To(Jaw, 0.9f).To(Ahead, 0.08f).With(new ActWave(NeckSide, 0.25f, 2f)).With(new ActWave(HeadSide, 0.15f, 2f, 0.1f)).With(new ActWave(Roll, 0.06f, 2f, 0.1f)).With(new ActWave(Ahead, 0.05f, 2f)).With(new ActWave(ArmsAhead, 0.25f, 4f)).With(new ActWave(TailSide, 0.5f, 2f, 0.3f)).With(new ActWave(Wings, 0.1f, 6f)),
             new ActPhase("recover", 2.4f).To(HindDown, 0f).To(Pitch, 0f).To(NeckPitch, 0f).To(Ahead, 0f).To(Jaw, 0f).To(Ears, 0f).To(Wings, 0f).To(ArmsOut, 0f).To(ArmsAhead, 0f).To(ArmsBend, 0f).To(TailPitch, 0f))
             .Needing(ActNeeds.Legs).For(BodyBuild.TwoLegged | BodyBuild.Upright).OnTheSpot(),
         new Act("Threaten", ActKind.Display,
@@ -105,6 +105,7 @@ internal static class Displays
         Flinches.OfTwoLegs,
         Flinches.OfSwimmers,
         Flinches.OfFliers,
+        Flinches.OfCrawlers,
         Flinches.OfOthers,
     };
 }

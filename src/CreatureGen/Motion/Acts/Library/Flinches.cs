@@ -32,6 +32,12 @@ internal static class Flinches
         new ActPhase("hang", 2.4f).To(Ahead, -0.7f).To(Up, 0.4f).To(Pitch, 0.15f).To(Roll, 0.1f).To(Lids, -0.2f).To(TailPitch, -0.5f).With(new ActWave(Aside, 0.15f, 2f)).With(new ActWave(Roll, 0.12f, 2f)))
         .For(BodyBuild.Airborne);
 
+    /// <summary>A crawler draws its head up and back over its coils, away from what startled it: laid along the ground it could not strike.</summary>
+    public static readonly Act OfCrawlers = Of(
+        new ActPhase("start", 0.6f, ActEase.Out).To(NeckPitch, 0.8f).To(HeadPitch, -0.6f).To(NeckSide, -0.5f).To(HeadSide, -0.2f).To(HeadRoll, -0.2f).To(Lids, 1f).To(Ears, 1f).To(TailSide, 0.6f).To(Jaw, 0.35f),
+        new ActPhase("freeze", 1.8f).To(NeckPitch, 0.65f).To(NeckSide, -0.35f).To(HeadSide, 0.15f).To(HeadRoll, 0f).To(Lids, -0.2f).To(Jaw, 0f).With(new ActWave(NeckSide, 0.03f, 6f)))
+        .For(BodyBuild.Legless);
+
     public static readonly Act OfOthers = Of(
         new ActPhase("start", 0.6f, ActEase.Out).To(Ahead, -0.18f).To(ForeDown, 0.28f).To(HindDown, 0.2f).To(NeckPitch, 0.5f).To(HeadPitch, -0.45f).To(NeckSide, -0.6f).To(HeadSide, -0.25f).To(BackSide, -0.08f).To(Lids, 1f).To(Ears, 1f).To(TailPitch, -1f).To(ArmsBend, 1f).To(ArmsAhead, 0.7f).To(Wings, 0.5f),
         new ActPhase("freeze", 1.6f).To(Lids, -0.2f).To(HeadSide, 0.1f).With(new ActWave(Up, 0.006f, 6f)));
@@ -39,7 +45,7 @@ internal static class Flinches
     /// <summary>All that started, and eases again.</summary>
     private static Act Of(params ActPhase[] started)
     {
-        ActPhase ease = new ActPhase("ease", 2.6f).To(Ahead, 0f).To(Up, 0f).To(Pitch, 0f).To(Yaw, 0f).To(Roll, 0f).To(BackPitch, 0f).To(Jaw, 0f).To(TailSide, 0f).To(ForeDown, 0f).To(HindDown, 0f).To(BackSide, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(NeckSide, 0f).To(HeadSide, 0f)
+        ActPhase ease = new ActPhase("ease", 2.6f).To(Ahead, 0f).To(Up, 0f).To(Pitch, 0f).To(Yaw, 0f).To(Roll, 0f).To(BackPitch, 0f).To(Jaw, 0f).To(TailSide, 0f).To(ForeDown, 0f).To(HindDown, 0f).To(BackSide, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(NeckSide, 0f).To(HeadSide, 0f).To(HeadRoll, 0f)
             .To(Lids, 0f).To(Ears, 0f).To(TailPitch, 0f).To(TailCurl, 0f).To(ArmsBend, 0f).To(ArmsAhead, 0f).To(Wings, 0f);
         return new Act("Flinch", ActKind.Reflex, [.. started, ease]);
     }
