@@ -1,5 +1,6 @@
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Tails;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Appearance;
@@ -7,6 +8,11 @@ namespace CreatureGen.Appearance;
 /// <summary>What the end of the tail wears: a tip, a fin with rays, or a fan of feathers.</summary>
 internal sealed class TailCoat
 {
+    // How much darker the skin between the rays of a fin is, and its rear edge, and the ring from which on it darkens.
+    private const float BetweenRays = 0.5f;
+    private const float Margin = 0.3f;
+    private const float MarginFirst = 51.5f;
+
     private readonly CoatPalette palette;
     private readonly CoatSubject subject;
     private readonly Vector3 finColour;
@@ -44,8 +50,9 @@ internal sealed class TailCoat
             case TailStyle.Feathers:
                 return Vec.Lerp(colour, palette.Limb * 0.85f, 0.85f * Between(place, 49, 52));
             default:
-                float rays = 1f - (0.16f * (1f - (float)PortableMath.Cos(place.Around * 11f)) * Scalar.Smooth((place.Ring - 47f) / 2f));
-                return Vec.Lerp(colour, finColour, 0.85f * Between(place, 47, 52)) * rays;
+                float rays = TailRays.Has(subject.Tail) ? 1f - (BetweenRays * (float)TailRays.Between(place.Ring, place.Around)) : 1f;
+                float margin = 1f - (Margin * Scalar.Smooth((place.Ring - MarginFirst) / (BodyGrid.Rings - 1 - MarginFirst)));
+                return Vec.Lerp(colour, finColour, 0.85f * Between(place, 47, 52)) * (rays * margin);
         }
     }
 

@@ -89,6 +89,11 @@ internal sealed class BodySkin
             }
 
             ApplyShell(body.Shell, i, x, y);
+            bool rayed = i >= StationRing.TailFirst && TailRays.Has(tail.Style);
+            for (int j = 0; j <= Half && rayed; j++)
+            {
+                x[j] *= (float)TailRays.ThicknessAt(i, PortableMath.Tau * j / BodyGrid.Segments);
+            }
 
             Vector3 centre = shape.Centre(i);
             Vector3 up = shape.Up(i);
@@ -96,6 +101,7 @@ internal sealed class BodySkin
             for (int j = 0; j <= Half; j++)
             {
                 float along = i >= StationRing.TailFirst ? TailShift(shape, tail, tailStep, i, x[j], y[j]) : 0f;
+                along += rayed ? (float)TailRays.DrawnInAt(i, PortableMath.Tau * j / BodyGrid.Segments, tail.Size, tailStep) : 0f;
                 float lift = i >= StationRing.TailFirst ? Camber(shape, tail, crest, i, x[j]) : 0f;
                 if (disc != null)
                 {

@@ -1,0 +1,41 @@
+using CreatureGen.Maths;
+
+namespace CreatureGen.Anatomy.Tails;
+
+/// <summary>The rays that an upright fin at the end of a tail is spread by: without them it is a shield from behind.</summary>
+internal static class TailRays
+{
+    /// <summary>Rays of each side, one on every second segment of the body, so that vertices and texels show the same.</summary>
+    private const int OnSide = 8;
+
+    // By how much a ray is thicker and the skin beside it thinner than a fin without rays, and how far the edge between two rays lies ahead of their tips, in rings of the tail, and at most in sizes of the fin.
+    private const double Relief = 0.4;
+    private const double Scallop = 0.35;
+    private const double DeepestScallop = 0.07;
+
+    // From where on and over how many rings rays stand out of the stalk, and the last rings, over which the edge is drawn in.
+    private const double First = 48;
+    private const double Emerging = 4;
+    private const double EdgeFirst = 51;
+    private const double EdgeRings = 3;
+
+    /// <summary>Whether a fin of a style has rays: flukes are skin.</summary>
+    public static bool Has(TailStyle style) => style is TailStyle.Fork or TailStyle.Fan or TailStyle.Lance || TailFin.Of(style) != null;
+
+    /// <summary>How far a place is off the nearest ray and how far rays stand out there, 0 on a ray and before the fin to 1 between two.</summary>
+    /// <param name="ring">Ring of the body.</param>
+    /// <param name="around">Radians around the body from the back.</param>
+    public static double Between(double ring, double around) =>
+        0.5 * (1 - PortableMath.Cos(2 * OnSide * around)) * Scalar.Smooth((ring - First) / Emerging);
+
+    /// <summary>Factor on the half thickness of the fin.</summary>
+    public static double ThicknessAt(double ring, double around) => 1 + (Relief * Scalar.Smooth((ring - First) / Emerging)) - (2 * Relief * Between(ring, around));
+
+    /// <summary>How far the skin is drawn in towards the stalk, metres.</summary>
+    /// <param name="ring">Ring of the body.</param>
+    /// <param name="around">Radians around the body from the back.</param>
+    /// <param name="size">Size of the fin.</param>
+    /// <param name="step">Metres between two rings.</param>
+    public static double DrawnInAt(double ring, double around, double size, double step) =>
+        System.Math.Min(Scallop * step, DeepestScallop * size) * Scalar.Smooth((ring - EdgeFirst) / EdgeRings) * Between(ring, around);
+}
