@@ -29,10 +29,13 @@ internal sealed class BeakSetter
     /// <summary>Thickness of the lower bill along the lip, relative to that of its side: it lies within the upper one.</summary>
     private const float LowerTuck = 0.25f;
 
-    // Shades of horn: at the root, along the middle line of the upper bill, on the lower bill, and of soft skin at the root.
-    private const float AtRoot = 0.8f;
-    private const float Lower = 0.95f;
+    // Shades of horn: at the root, on the lower bill, and of soft skin at the root; along the ridge, above the lips and on the cutting edge, without which a beak is an egg from the front.
+    private const float AtRoot = 0.62f;
+    private const float Lower = 0.85f;
     private const float Soft = 0.45f;
+    private const float Ridge = 1.08f;
+    private const float Flank = 0.8f;
+    private const float Edge = 0.5f;
 
     /// <summary>Breadth of the change to the shade of the tip, as a share of the beak.</summary>
     private const float Blur = 0.1f;
@@ -69,13 +72,20 @@ internal sealed class BeakSetter
 
     /// <summary>Appends the upper bill.</summary>
     public void AppendUpper(PieceBuilder builder, CoatPalette palette, Vector3 horn) => upper.Append(builder, true, (along, column) =>
-        along < form.Cere ? SoftColour(palette, horn) : Shaded(horn, along, form.Cere));
+        Across(upper, column) * (along < form.Cere ? SoftColour(palette, horn) : Shaded(horn, along, form.Cere)));
 
     /// <summary>Appends the lower bill.</summary>
-    public void AppendLower(PieceBuilder builder, Vector3 horn) => lower.Append(builder, false, (along, column) => Shaded(horn, along, 0f) * Lower);
+    public void AppendLower(PieceBuilder builder, Vector3 horn) => lower.Append(builder, false, (along, column) => Shaded(horn, along, 0f) * (Lower * Across(lower, column)));
 
     /// <summary>The colour of soft skin at the root: that of the legs, in the light.</summary>
     public static Vector3 SoftColour(CoatPalette palette, Vector3 horn) => Vec.Lerp(palette.Limb, horn, Soft);
+
+    /// <summary>Shade of a column of a bill: lightest on the ridge, darkest on the cutting edge.</summary>
+    private static float Across(BillShape bill, float column)
+    {
+        float across = column / bill.Lip;
+        return Scalar.Lerp(Ridge, Flank, Scalar.Smooth(across / 0.7f)) * Scalar.Lerp(1f, Edge / Flank, Scalar.Smooth((across - 0.7f) / 0.3f));
+    }
 
     private Vector3 Shaded(Vector3 horn, float along, float root)
     {

@@ -79,6 +79,9 @@ internal sealed class BillShape
     /// <summary>Share of the way from the root to the nose that soft skin covers.</summary>
     public float Cere { get; init; }
 
+    /// <summary>Its last column, at the lip.</summary>
+    public int Lip => face.Columns - 1;
+
     /// <summary>How far a lower bill turns with the upper one that lies over it, radians: as much on each part of the way, and so less in all where it is shorter.</summary>
     /// <param name="turn">How far the upper bill turns, radians.</param>
     /// <param name="reach">How far they reach, metres.</param>

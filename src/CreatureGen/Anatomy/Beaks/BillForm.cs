@@ -13,7 +13,7 @@ internal sealed record BillForm
     public float Keel { get; init; } = 2.5f;
 
     /// <summary>How far the edge between horn and skin draws forward on the sides, rings.</summary>
-    public float Notch { get; init; } = 0.7f;
+    public float Notch { get; init; } = 0.9f;
 
     /// <summary>How the part beyond the nose closes in breadth and in height: 1 evenly, as a cone does; 2 round; more in a blunt edge.</summary>
     public (float Breadth, float Height) Close { get; init; } = (1.2f, 1.2f);

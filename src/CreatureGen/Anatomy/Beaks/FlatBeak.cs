@@ -7,7 +7,7 @@ internal static class FlatBeak
     public static readonly BeakForm Form = new()
     {
         Length = (0.3, 0.46), Hook = 0.3,
-        Root = (6.3f, 5.8f, 5f),
+        Root = (5.7f, 5.4f, 4.6f),
         Upper = new BillForm { Ridge = (0.07f, 0.09f, 0.1f), Side = (0.05f, 0.1f, 0.14f), Keel = 5f, Notch = 0.5f, Close = (2.4f, 1.6f) },
         Lower = new BillForm { Ridge = (0.04f, 0.06f, 0.06f), Side = (0.03f, 0.05f, 0.05f), Keel = 5f, Notch = 0.3f, Close = (2.4f, 1.6f) },
         LowerLength = 0.8f,

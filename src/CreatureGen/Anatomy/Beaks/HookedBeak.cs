@@ -7,7 +7,7 @@ internal static class HookedBeak
     public static readonly BeakForm Form = new()
     {
         Length = (0.24, 0.34), Hook = 0.7,
-        Root = (6.2f, 6f, 5f),
+        Root = (5.4f, 5.4f, 4.5f),
         Upper = new BillForm { Ridge = (0.08f, 0.2f, 0.2f), Side = (0.06f, 0.08f, 0.1f), Keel = 2.6f, Close = (1.6f, 1.4f) },
         Lower = new BillForm { Ridge = (0.05f, 0.06f, 0.06f), Side = (0.04f, 0.04f, 0.05f), Notch = 0.4f, Close = (1.8f, 1.5f) },
         LowerLength = 0.35f,
