@@ -10,7 +10,7 @@ namespace CreatureGen.Bodies;
 internal static class TailShaper
 {
     /// <summary>Greatest length of a fluke along the spine, in half of its span.</summary>
-    internal const double LongestFluke = 1.1;
+    internal const double LongestFluke = 0.9;
 
     /// <summary>The ring from which on an upright fin spreads.</summary>
     private const int FinFirst = 47;
@@ -20,7 +20,7 @@ internal static class TailShaper
 
     /// <summary>The ring from which on a fluke spreads, and how much of its span is reached before its middle: its leading edge bends back to pointed tips.</summary>
     private const int FlukeFirst = 47;
-    private const double FlukeBend = 0.45;
+    private const double FlukeBend = 0.7;
 
     /// <summary>What is left of the thickness of a stalk where its fin opens that is longer than the fin.</summary>
     private const double StalkEnd = 0.55;
