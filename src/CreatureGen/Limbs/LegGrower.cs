@@ -147,6 +147,11 @@ internal static class LegGrower
             default:
                 Cap(surface, leg, grown.End, end.Tangent, radius, address);
                 ends.Tips.Add(new DigitTip(DigitTipKind.Claw, end.Centre, Vec.Normalize(end.Tangent), radius, (float)leg.ClawLength, grown.End[0]));
+                if (form.Carried)
+                {
+                    LegSpines.Add(form, grown, ends.Tips);
+                }
+
                 return;
         }
     }

@@ -13,6 +13,9 @@ internal sealed record LegOutline(FootEnd End)
     /// <summary>Most of it relative to that length otherwise.</summary>
     private const float Widest = 1.12f;
 
+    /// <summary>The same of a leg in joints, which is drawn in between its socket and its thigh: as thin as the small socket, the legs of a spider are wires.</summary>
+    private const float WidestJointed = 1.7f;
+
     /// <summary>From the socket on.</summary>
     public LegSection[] Rows { get; init; } = Array.Empty<LegSection>();
 
@@ -85,7 +88,7 @@ internal sealed record LegOutline(FootEnd End)
     /// <param name="height">Height of its root above the ground, or its length.</param>
     public float Thickness(float wanted, float half, float height)
     {
-        float thickness = Math.Min(wanted, half * Widest);
+        float thickness = Math.Min(wanted, half * (Jointed ? WidestJointed : Widest));
         if (MinThickness > 0)
         {
             // A tall leg of a slim body stays as slim as where it grows from, or it would hang there like a balloon.

@@ -46,7 +46,7 @@ internal static class Spider
                 new LegSite(LimbArchetype.Insect) { Ring = 26, Segment = 9.2, Azimuth = -0.26, Reach = 0.92 },
                 new LegSite(LimbArchetype.Insect) { Ring = 29, Segment = 9.2, Azimuth = -0.78, Reach = 1.06 },
             },
-            Reach = (0.42, 0.56), Height = (0.16, 0.28), Thickness = 0.05, KneeRise = 1.9,
+            Reach = (0.42, 0.56), Height = (0.16, 0.28), Thickness = 0.06, KneeRise = 1.9,
         },
         Parts = new[]
         {
