@@ -17,9 +17,9 @@ internal static class UnguligradeForeLeg
             {
                 new() { Forward = 0, Down = 0, Outward = 0, ForeRadius = 1000, SideRadius = 800 },
                 new() { Forward = 20, Down = 180, Outward = 40, ForeRadius = 740, SideRadius = 660, SideOffset = -60 },
-                new() { Forward = -40, Down = 380, Outward = 30, ForeRadius = 470, SideRadius = 370, ForeOffset = -70 },
-                new() { Forward = -10, Down = 550, Outward = 20, ForeRadius = 305, SideRadius = 285 },
-                new() { Forward = 20, Down = 660, Outward = 10, ForeRadius = 245, SideRadius = 260 },
+                new() { Forward = -40, Down = 380, Outward = 30, ForeRadius = 470, SideRadius = 400, ForeOffset = -70 },
+                new() { Forward = 4, Down = 590, Outward = 16, ForeRadius = 250, SideRadius = 205 },
+                new() { Forward = 20, Down = 660, Outward = 10, ForeRadius = 250, SideRadius = 280 },
                 new() { Forward = 10, Down = 780, Outward = 10, ForeRadius = 155, SideRadius = 142 },
                 new() { Forward = 10, Down = 875, Outward = 10, ForeRadius = 200, SideRadius = 200 },
                 new() { Forward = 40, Down = 930, Outward = 10, ForeRadius = 200, SideRadius = 210 },
