@@ -51,6 +51,10 @@ internal sealed class HeadCoat
     private const double Darkest = 0.16;
     private const double Palest = 0.94;
 
+    // Share of the muzzle's colour on the plate of an insect's face, and the shade of the seam around it.
+    private const float PlateCover = 0.65f;
+    private const float SeamShade = 0.42f;
+
     /// <summary>Share of the muzzle's colour on a bare snout.</summary>
     private const float BarePatch = 0.42f;
 
@@ -182,6 +186,12 @@ internal sealed class HeadCoat
         }
 
         float patch = Scalar.Smooth((float)((arc[8] - place.Arc) / arc[4]));
+        if (subject.Snout == SnoutKind.Bare && subject.Lips is null)
+        {
+            (float plate, float seam) = FacePlate.At(place.Ring, place.Around);
+            return Vec.Lerp(colour, muzzleColour, PlateCover * plate) * Scalar.Lerp(1f, SeamShade, seam);
+        }
+
         if (subject.Snout == SnoutKind.Bare)
         {
             return Vec.Lerp(colour, muzzleColour, Scalar.Lerp(BarePatch, PalePatch, dark) * patch);
