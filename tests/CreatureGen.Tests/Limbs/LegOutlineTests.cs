@@ -44,6 +44,35 @@ public sealed class LegOutlineTests
         Assert.True(archetype is LimbArchetype.Bird or LimbArchetype.UnguligradeFore or LimbArchetype.UnguligradeHind || calf > 1.1 * straight, FormattableString.Invariant($"a calf of {calf}, {straight} without one"));
     }
 
+    [Theory]
+    [InlineData(LimbArchetype.Theropod)]
+    [InlineData(LimbArchetype.Bird)]
+    [InlineData(LimbArchetype.DigitigradeHind)]
+    [InlineData(LimbArchetype.DigitigradeFore)]
+    [InlineData(LimbArchetype.PlantigradeHind)]
+    [InlineData(LimbArchetype.PlantigradeFore)]
+    [InlineData(LimbArchetype.UnguligradeHind)]
+    [InlineData(LimbArchetype.UnguligradeFore)]
+    public void A_hock_heel_or_wrist_stands_out_below_a_thinner_shank(LimbArchetype archetype)
+    {
+        LegOutline outline = LegKinds.Of(archetype).Outline;
+        double joint = outline.Rows[outline.AnkleRow].SideRadius;
+        double above = outline.Rows[outline.AnkleRow - 1].SideRadius;
+        Assert.True(joint > 1.12 * above, FormattableString.Invariant($"{joint / above:0.00} of what is above it"));
+    }
+
+    [Theory]
+    [InlineData(LimbArchetype.Insect)]
+    [InlineData(LimbArchetype.Raptorial)]
+    public void A_jointed_leg_is_drawn_in_at_its_root_and_at_its_knee(LimbArchetype archetype)
+    {
+        LegOutline outline = LegKinds.Of(archetype).Outline;
+        int knee = archetype == LimbArchetype.Insect ? outline.KneeRow : outline.AnkleRow;
+        double thigh = outline.Rows.Skip(2).Take(knee - 2).Max(row => row.ForeRadius);
+        Assert.True(outline.Rows.Take(knee - 1).Min(row => row.ForeRadius) < 0.75 * thigh, "a thigh that is a pipe from its root on");
+        Assert.True(outline.Rows[knee].ForeRadius < 0.5 * thigh, "a knee as thick as its thigh");
+    }
+
     [Fact]
     public void A_jointed_leg_has_a_thigh_twice_as_thick_as_all_of_its_shank()
     {

@@ -8,8 +8,8 @@ internal static class DigitigradeForeLeg
         outline: new LegOutline(FootEnd.Toes)
         {
             KneeRow = 2,
-            AnkleRow = 4,
-            BallRow = 5,
+            AnkleRow = 5,
+            BallRow = 6,
             MinThickness = 0.185,
             MaxThickness = 0.34,
             FootRows = 2,
@@ -20,8 +20,9 @@ internal static class DigitigradeForeLeg
             {
                 new() { Forward = 0, Down = 0, Outward = 0, ForeRadius = 1000, SideRadius = 800 },
                 new() { Forward = 20, Down = 180, Outward = 40, ForeRadius = 725, SideRadius = 610 },
-                new() { Forward = -70, Down = 400, Outward = 30, ForeRadius = 465, SideRadius = 395, ForeOffset = -25 },
-                new() { Forward = -18, Down = 690, Outward = 16, ForeRadius = 245, SideRadius = 215 },
+                new() { Forward = -70, Down = 400, Outward = 30, ForeRadius = 465, SideRadius = 350, ForeOffset = -25 },
+                new() { Forward = -30, Down = 570, Outward = 20, ForeRadius = 340, SideRadius = 340 },
+                new() { Forward = -12, Down = 720, Outward = 14, ForeRadius = 225, SideRadius = 198 },
                 new() { Forward = 0, Down = 820, Outward = 10, ForeRadius = 235, SideRadius = 235 },
                 new() { Forward = 30, Down = 945, Outward = 10, ForeRadius = 270, SideRadius = 365 },
                 new() { Forward = 110, Down = 965, Outward = 10, ForeRadius = 260, SideRadius = 440 },

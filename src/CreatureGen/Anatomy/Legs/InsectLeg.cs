@@ -15,12 +15,12 @@ internal static class InsectLeg
             Rows = new LegSection[]
             {
                 new() { Forward = 0, Down = 0, Outward = 0, ForeRadius = 1000, SideRadius = 1000 },
-                new() { Forward = 0, Down = -60, Outward = 300, ForeRadius = 700, SideRadius = 660 },
+                new() { Forward = 0, Down = -60, Outward = 300, ForeRadius = 720, SideRadius = 700 },
                 new() { Forward = 0, Down = -340, Outward = 720, ForeRadius = 1060, SideRadius = 960 },
                 new() { Forward = 0, Down = -480, Outward = 1050, ForeRadius = 460, SideRadius = 450 },
-                new() { Forward = 0, Down = -380, Outward = 1220, ForeRadius = 450, SideRadius = 430 },
+                new() { Forward = 0, Down = -380, Outward = 1220, ForeRadius = 355, SideRadius = 345 },
                 new() { Forward = 0, Down = 50, Outward = 1420, ForeRadius = 270, SideRadius = 265 },
-                new() { Forward = 0, Down = 550, Outward = 1620, ForeRadius = 320, SideRadius = 305 },
+                new() { Forward = 0, Down = 550, Outward = 1620, ForeRadius = 335, SideRadius = 320 },
                 new() { Forward = 0, Down = 930, Outward = 1780, ForeRadius = 150, SideRadius = 150 },
                 new() { Forward = 0, Down = 985, Outward = 1920, ForeRadius = 150, SideRadius = 260 },
             },
@@ -71,12 +71,12 @@ internal static class InsectLeg
             Rows = new LegSection[]
             {
                 new() { Forward = 0, Down = 0, Outward = 0, ForeRadius = 1000, SideRadius = 1000 },
-                new() { Forward = -30, Down = -40, Outward = 300, ForeRadius = 700, SideRadius = 660 },
+                new() { Forward = -30, Down = -40, Outward = 300, ForeRadius = 720, SideRadius = 700 },
                 new() { Forward = -110, Down = -220, Outward = 660, ForeRadius = 1060, SideRadius = 960 },
                 new() { Forward = -200, Down = -320, Outward = 930, ForeRadius = 460, SideRadius = 450 },
-                new() { Forward = -320, Down = -230, Outward = 1040, ForeRadius = 450, SideRadius = 430 },
+                new() { Forward = -320, Down = -230, Outward = 1040, ForeRadius = 355, SideRadius = 345 },
                 new() { Forward = -580, Down = 110, Outward = 1100, ForeRadius = 270, SideRadius = 265 },
-                new() { Forward = -830, Down = 440, Outward = 1130, ForeRadius = 320, SideRadius = 305 },
+                new() { Forward = -830, Down = 440, Outward = 1130, ForeRadius = 335, SideRadius = 320 },
                 new() { Forward = -1050, Down = 680, Outward = 1150, ForeRadius = 150, SideRadius = 150 },
                 new() { Forward = -1150, Down = 770, Outward = 1150, ForeRadius = 150, SideRadius = 260 },
             },

@@ -8,8 +8,8 @@ internal static class TheropodLeg
         outline: new LegOutline(FootEnd.Toes)
         {
             KneeRow = 2,
-            AnkleRow = 4,
-            BallRow = 6,
+            AnkleRow = 5,
+            BallRow = 7,
             MinThickness = 0.145,
             MaxThickness = 0.34,
             FootRows = 2,
@@ -21,8 +21,9 @@ internal static class TheropodLeg
             {
                 new() { Forward = 0, Down = 0, Outward = 0, ForeRadius = 1000, SideRadius = 800 },
                 new() { Forward = 90, Down = 160, Outward = 60, ForeRadius = 1040, SideRadius = 930, SideOffset = -130 },
-                new() { Forward = 220, Down = 370, Outward = 60, ForeRadius = 740, SideRadius = 560, ForeOffset = -170, SideOffset = -35 },
-                new() { Forward = -40, Down = 645, Outward = 34, ForeRadius = 320, SideRadius = 235, ForeOffset = -40 },
+                new() { Forward = 220, Down = 370, Outward = 60, ForeRadius = 720, SideRadius = 510, ForeOffset = -170, SideOffset = -35 },
+                new() { Forward = 50, Down = 530, Outward = 40, ForeRadius = 520, SideRadius = 470, ForeOffset = -60 },
+                new() { Forward = -65, Down = 665, Outward = 34, ForeRadius = 300, SideRadius = 220, ForeOffset = -40 },
                 new() { Forward = -130, Down = 740, Outward = 30, ForeRadius = 280, SideRadius = 275, ForeOffset = -30 },
                 new() { Forward = -60, Down = 890, Outward = 30, ForeRadius = 180, SideRadius = 170 },
                 new() { Forward = -10, Down = 955, Outward = 30, ForeRadius = 220, SideRadius = 280 },
