@@ -85,6 +85,33 @@ public sealed class TailShaperTests
         Assert.True(fans > 3, $"{fans} fans");
     }
 
+    [Fact]
+    public void An_upright_tail_fin_is_thicker_on_its_rays_and_drawn_in_between_them()
+    {
+        int fins = 0;
+        for (ulong seed = 23370000; seed < 23370030; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = RequestedKind.Swimming });
+            if (creature.Tail.Style is not (TailStyle.Fan or TailStyle.Fork or TailStyle.Truncate))
+            {
+                continue;
+            }
+
+            BodySkin skin = BodySkin.Span(BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail), creature);
+            for (int between = 3; between < BodyGrid.Segments / 2; between += 2)
+            {
+                Vector3 middle = (skin[Last, between - 1] + skin[Last, between + 1]) / 2f;
+                Vector3 off = skin[Last, between] - middle;
+                Assert.True(skin[Last, between].X < middle.X, $"{seed}: the skin at segment {between} is as thick as the rays beside it");
+                Assert.True(between is 7 or 9 || Vector3.Dot(off, skin.Shape.Forward(Last)) > 0f, $"{seed}: the edge at segment {between} is not drawn in");
+            }
+
+            fins++;
+        }
+
+        Assert.True(fins > 2, $"{fins} fins");
+    }
+
     /// <summary>Heights above the spine of a tail with an even stalk, metres.</summary>
     private static double[] Heights(TailStyle style, double step, double stalk = Stalk)
     {
