@@ -77,6 +77,9 @@ internal static class LegGrower
     /// <summary>Rings before and behind a socket whose sections a limb keeps out of.</summary>
     private const int GuardedRings = 7;
 
+    /// <summary>How far the foot of a leg out to the side is turned to the level where it hangs in the water: level, it is a stick from the front and the side.</summary>
+    private const float OarTurn = 0.4f;
+
     private static readonly float[] insectSections = { 0f, 0.5f, 1f, 1.6f, 2.3f, 3f, 3.5f, 4f, 4.5f, 5f, 6f, 7f, 8f };
 
     /// <summary>Grows the left leg, mirrors it, and says where its joints are.</summary>
@@ -101,6 +104,7 @@ internal static class LegGrower
             Floor = standing ? 0f : float.NegativeInfinity,
             EndDirection = vertical ? -Vector3.UnitY : Vector3.Zero,
             LevelFrom = form.End == FootEnd.Toes && (standing || form.Sprawling) ? 0.6f : 2f,
+            LevelShare = standing ? 1f : OarTurn,
             KeepOut = socket.Centre.X > 0.02f ? new BodyKeepOut(body.Skin, leg.Socket.Ring - GuardedRings, leg.Socket.Ring + leg.Socket.Rows + GuardedRings) : null,
             Address = new VertexAddress { Region = SurfaceRegion.Leg, Appendage = (short)index, Sign = 1 },
         };

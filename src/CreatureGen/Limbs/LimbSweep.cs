@@ -102,6 +102,9 @@ internal sealed class LimbSweep
     /// <summary>Path share from which the section is turned level, so that a foot lies flat; above 1 never.</summary>
     public float LevelFrom { get; set; } = 2f;
 
+    /// <summary>Part of the way to the level that it is turned.</summary>
+    public float LevelShare { get; set; } = 1f;
+
     /// <summary>Depth of a groove along α = 0 in fore radii, for the cup of an ear.</summary>
     public float Groove { get; set; }
 
@@ -288,7 +291,7 @@ internal sealed class LimbSweep
         }
 
         level = level / length * (Vec.Dot(level, across) < 0f ? -1f : 1f);
-        float weight = Scalar.Smooth((along - LevelFrom) / 0.25f) * Scalar.Smooth((length - 0.2f) / 0.3f);
+        float weight = LevelShare * Scalar.Smooth((along - LevelFrom) / 0.25f) * Scalar.Smooth((length - 0.2f) / 0.3f);
         across = Vec.Lerp(across, level, weight);
         return Vec.Normalize(Vec.Reject(across, tangent), across);
     }
