@@ -9,6 +9,10 @@ internal sealed class CoatBetween
 {
     private const float LastRingOfHead = 16f;
 
+    // Where the skin of a lip ends on its way into the mouth, in the first row of faces there, and the breadth of its edge: run out over all of it, the lips of an open mouth are a stain.
+    private const float LipInside = 0.12f;
+    private const float LipEdge = 0.2f;
+
     private readonly CoatPainter coat;
 
     public CoatBetween(CoatPainter coat) => this.coat = coat;
@@ -21,8 +25,11 @@ internal sealed class CoatBetween
         Vector4 patterned = weights.Mix(a.PatternedAndGirth, b.PatternedAndGirth, c.PatternedAndGirth);
         float fraction = coat.PatternFraction(new PatternPlace(Xyz(position), plain.W, patterned.W));
         Vector3 colour = Vec.Lerp(Xyz(plain), Xyz(patterned), fraction);
-        return IsMarked(a.Region, position.W) ? Marked(a, b, c, appendage, weights, position, fraction, colour) : colour;
+        bool lips = (InMouth(a) || InMouth(b) || InMouth(c)) && !(InMouth(a) && InMouth(b) && InMouth(c));
+        return lips || IsMarked(a.Region, position.W) ? Marked(a, b, c, appendage, weights, position, fraction, colour) : colour;
     }
+
+    private static bool InMouth(in ChartCorner corner) => corner.Region == SurfaceRegion.Mouth;
 
     /// <summary>Whether a region has markings with edges finer than the mesh; everywhere else only the pattern is.</summary>
     private static bool IsMarked(SurfaceRegion region, float ring) =>
@@ -50,6 +57,14 @@ internal sealed class CoatBetween
             Ring = position.W,
             Segment = chart.Z,
         };
+        float mouth = weights.Mix(InMouth(a) ? 1f : 0f, InMouth(b) ? 1f : 0f, InMouth(c) ? 1f : 0f);
+        if (mouth > 0f)
+        {
+            Vector3 lip = coat.MarkedAt(address with { Region = !InMouth(a) ? a.Region : !InMouth(b) ? b.Region : c.Region }, Xyz(position), undercoat, grain);
+            Vector3 inside = Xyz(InMouth(a) ? a.PlainAndRun : InMouth(b) ? b.PlainAndRun : c.PlainAndRun);
+            return Vec.Lerp(lip, inside, Scalar.Smooth((mouth - LipInside) / LipEdge));
+        }
+
         Vector3 colour = coat.MarkedAt(address, Xyz(position), undercoat, grain);
         if (a.Region == b.Region && b.Region == c.Region)
         {
