@@ -52,7 +52,7 @@ internal sealed class HeadCoat
     private const double Palest = 0.94;
 
     // Share of the muzzle's colour on the plate of an insect's face, and the shade of the seam around it.
-    private const float PlateCover = 0.55f;
+    private const float PlateCover = 0.25f;
     private const float SeamShade = 0.5f;
 
     /// <summary>Share of the muzzle's colour on a bare snout.</summary>

@@ -10,7 +10,7 @@ internal sealed class CoatBetween
     private const float LastRingOfHead = 16f;
 
     // Where the skin of a lip ends on its way into the mouth, in the first row of faces there, and the breadth of its edge: run out over all of it, the lips of an open mouth are a stain.
-    private const float LipInside = 0.12f;
+    private const float LipInside = 0.45f;
     private const float LipEdge = 0.2f;
 
     private readonly CoatPainter coat;
