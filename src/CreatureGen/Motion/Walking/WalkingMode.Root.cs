@@ -140,6 +140,7 @@ internal sealed partial class WalkingMode
         PlaceFeet(place, settings, null);
         placer.Reset(planner.Feet);
         pace.Forget();
+        height.Reset();
     }
 
     private RootPlace Update(RootPlace placement, float dt, in MotionInput input, in MotionSettings asked, IGround ground, BodyLayer? layer)
@@ -167,6 +168,11 @@ internal sealed partial class WalkingMode
             Quaternion rotation = Rotation.Multiply(placement.Rotation, AxisRotation.Yaw(yaw));
             placement = new RootPlace(placement.ToWorld(way), UnitRotation.Upright(rotation, settings.Up), scale);
             placement = height.Follow(placement, body.LegLength, placer, velocity.Speed, h, settings.Up);
+            if (ticker.Decides)
+            {
+                height.Feel(placement, body, velocity, settings.Up, ground);
+            }
+
             Step(placement, h, dt - left, left, settings, ground);
         }
 

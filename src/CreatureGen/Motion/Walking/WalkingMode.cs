@@ -255,6 +255,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
         planner.PlaceAll(new StepContext(placement, velocity, clock, settings, ground, 0f, 0f, 0f, 0f, false, 0f));
         PlaceFeet(placement, settings, layer);
         placer.Reset(planner.Feet);
+        height.Reset();
         standing = true;
         arrived = true;
     }
