@@ -27,6 +27,9 @@ internal static class CoatChoice
     /// <summary>Whether the head is darker or paler than the trunk.</summary>
     public const int HeadTone = 108;
 
+    /// <summary>Whether the snout has pores.</summary>
+    public const int Pores = 109;
+
     /// <summary>Uniform 0..1.</summary>
     public static float Of(int patternSeed, int decision) => LatticeHash.Unit(LatticeHash.Bits(patternSeed, decision, 0, 0));
 }

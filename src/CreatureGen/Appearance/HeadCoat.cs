@@ -51,6 +51,11 @@ internal sealed class HeadCoat
     private const double Darkest = 0.16;
     private const double Palest = 0.94;
 
+    // Part of the faces with lips that have pores on their snouts, how much of them is seen, and their shade.
+    private const float Pored = 0.7f;
+    private const float PoreCover = 0.8f;
+    private const float PoreShade = 0.4f;
+
     // Share of the muzzle's colour on the plate of an insect's face, and the shade of the seam around it.
     private const float PlateCover = 0.25f;
     private const float SeamShade = 0.5f;
@@ -78,6 +83,7 @@ internal sealed class HeadCoat
     private readonly Vector3 muzzleColour;
     private readonly Vector3 paleColour;
     private readonly float dark;
+    private readonly float pores;
     private readonly NosePad leather;
     private readonly HeadTone? tone;
 
@@ -87,6 +93,7 @@ internal sealed class HeadCoat
         this.subject = subject;
         leather = new NosePad(subject.Body);
         int patternSeed = coat.PatternSeed;
+        pores = subject.Lips is not null && CoatChoice.Of(patternSeed, CoatChoice.Pores) < Pored ? PoreCover : 0f;
         float mark = CoatChoice.Of(patternSeed, CoatChoice.MarkColour);
 
         // The accent colour in a face suits vivid coats; on natural ones, and on a whole head, it clashes more often than not.
@@ -125,6 +132,7 @@ internal sealed class HeadCoat
         colour *= 1f - (GillShade * GillMarks.At(subject.Gills, place.Ring, place.Around));
         colour = EyeRing(colour, place);
         colour = Snout(colour, place);
+        colour = Vec.Lerp(colour, Vec.Lerp(colour * PoreShade, paleColour, dark), pores * SnoutPores.At(place.Ring, place.Around));
         return subject.Lips is MouthLine lips ? Lips(colour, lips.DistanceOf(place)) : colour;
     }
 

@@ -89,7 +89,7 @@ public sealed class TailShaperTests
     public void An_upright_tail_fin_is_thicker_on_its_rays_and_drawn_in_between_them()
     {
         int fins = 0;
-        for (ulong seed = 23370000; seed < 23370030; seed++)
+        for (ulong seed = 23370000; seed < 23370100; seed++)
         {
             CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = RequestedKind.Swimming });
             if (creature.Tail.Style is not (TailStyle.Fan or TailStyle.Fork or TailStyle.Truncate))
