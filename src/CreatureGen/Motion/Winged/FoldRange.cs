@@ -24,6 +24,9 @@ internal sealed record FoldRange(WingFold Usual, WingFold Min, WingFold Max, dou
     /// <summary>What it costs to reach out to the side.</summary>
     public double AsideCost { get; init; }
 
+    /// <summary>By which part of what the others are shortened the upper arm is.</summary>
+    public float UpperArm { get; init; } = 0.35f;
+
     /// <summary>Along the flank: the leading edge lies low, the trailing edge covers the side up to the back. A wing that is one skin cannot lay its forearm forward again as birds do: its surface would turn
     /// over at the elbow. It is drawn together instead.</summary>
     public static FoldRange Stitched { get; } = new(
@@ -37,23 +40,26 @@ internal sealed record FoldRange(WingFold Usual, WingFold Min, WingFold Max, dou
         4000,
         0);
 
-    /// <summary>The same of what never flies: a blade that is broader than the flank hangs down from the shoulder, its depth along the body, rather than stand above the back like a sail.</summary>
+    /// <summary>Of what never flies: the arm comes down over the shoulder and is drawn together, each bone hangs with its blade straight back along the flank, as feathers close like a fan and skin does between fingers, and the hand points back.
+    /// Laid back along the flank a blade would stand up behind its leading edge, like a boat or a tent.</summary>
     public static FoldRange Carried { get; } = Stitched with
     {
-        Others = new[]
-        {
-            Stitched.Usual with { Drop = 0.8, Spread = 0.05, Rise = -0.3 },
-            Stitched.Usual with { Drop = 0.8, Spread = 0.05, Rise = -0.8, Length = 0.6 },
-        },
-        Min = Stitched.Min with { Rise = -1.3 },
-        Max = Stitched.Max with { Drop = 1.3 },
-        Closeness = 2,
-        ProudCost = 60,
+        Usual = new WingFold(Drop: 1.55, Spread: 0.40, Rise: -1.20, Converge: 0.10, Curl: 0.00, Lift: 0.30, Lean: 0.00, Wrap: -0.20, Length: 0.25) { Hangs = true },
+        Min = new WingFold(Drop: 1.40, Spread: 0.00, Rise: -1.50, Converge: -0.20, Curl: -0.10, Lift: 0.15, Lean: -0.30, Wrap: -0.30, Length: 0.20),
+        Max = new WingFold(Drop: 1.80, Spread: 1.10, Rise: -0.90, Converge: 0.50, Curl: 0.20, Lift: 0.50, Lean: 0.50, Wrap: 0.10, Length: 0.30),
+        Closeness = 4,
+        SunkCost = 2000,
+        ProudCost = 120,
+        AsideCost = 20,
+        UpperArm = 0.6f,
     };
 
-    /// <summary>The same of fliers whose wings are skin between fingers: it cannot slide together as feathers do, is deeper than the flank, and stood above the back like tents.</summary>
-    public static FoldRange Hung { get; } = Carried with
+    /// <summary>As <see cref="Stitched"/>, of fliers whose wings are skin between fingers: it cannot slide together as feathers do, is deeper than the flank, and stood above the back like tents.</summary>
+    public static FoldRange Hung { get; } = Stitched with
     {
+        Min = Stitched.Min with { Rise = -1.3 },
+        Max = Stitched.Max with { Drop = 1.3 },
+        ProudCost = 60,
         Others = new[]
         {
             Stitched.Usual with { Drop = 0.8, Spread = 0.05, Rise = -0.3 },

@@ -16,27 +16,26 @@ internal sealed class FoldedWing
     /// <summary>What crowded skin costs, in relation to being off the body by a body length.</summary>
     private const double CrowdingCost = 0.08;
 
-    /// <summary>By which part of what the others are shortened the upper arm is.</summary>
-    private const float UpperArm = 0.35f;
-
     private readonly PairedChain chain;
     private readonly WingSkin skin;
     private readonly double incidence;
     private readonly double beyond;
+    private readonly float upperArm;
     private readonly Quaternion[] turns;
     private float length;
 
-    private FoldedWing(PairedChain chain, WingSkin skin, double incidence, double beyond)
+    private FoldedWing(PairedChain chain, WingSkin skin, double incidence, double beyond, float upperArm)
     {
         this.chain = chain;
         this.skin = skin;
         this.incidence = incidence;
         this.beyond = beyond;
+        this.upperArm = upperArm;
         turns = new Quaternion[chain.Count];
     }
 
     /// <summary>Share of its length that a bone keeps: the upper arm most of it, for there the skin bends.</summary>
-    public float LengthOf(int bone) => bone == 0 ? 1f - (UpperArm * (1f - length)) : length;
+    public float LengthOf(int bone) => bone == 0 ? 1f - (upperArm * (1f - length)) : length;
 
     /// <summary>The turn of a joint of the left wing.</summary>
     public Quaternion Turn(int joint) => turns[joint];
@@ -44,7 +43,7 @@ internal sealed class FoldedWing
     /// <summary>Fits a pair of wings to a body; their rear edges are raised by an incidence at rest, and by so much more beyond the elbow, radians.</summary>
     public static FoldedWing Of(MotionSubject subject, PairedChain chain, double incidence, double beyond, FoldRange range, FoldRoom room)
     {
-        var wing = new FoldedWing(chain, WingSkin.Of(subject, chain), incidence, beyond);
+        var wing = new FoldedWing(chain, WingSkin.Of(subject, chain), incidence, beyond, range.UpperArm);
         wing.Fold(wing.Search(range, room));
         return wing;
     }

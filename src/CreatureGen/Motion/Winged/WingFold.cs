@@ -10,13 +10,16 @@ namespace CreatureGen.Motion.Winged;
 /// <param name="Converge">Of what follows from straight back towards the midline.</param>
 /// <param name="Curl">By how much more each bone beyond the forearm turns towards the midline than the one before it.</param>
 /// <param name="Lift">By how much more each of these rises than the one before it.</param>
-/// <param name="Lean">Of the blade from upright towards lying flat: its trailing edge over the back.</param>
+/// <param name="Lean">Of the blade from upright towards lying flat, its trailing edge over the back; of one that hangs towards the body.</param>
 /// <param name="Wrap">By how much more the blade leans at each bone beyond the upper arm: it winds about the body.</param>
 /// <param name="Length">Share of their length that upper arm, forearm and hand keep: feathers slide over one another, and skin draws together.</param>
 internal readonly record struct WingFold(double Drop, double Spread, double Rise, double Converge, double Curl, double Lift, double Lean, double Wrap, double Length)
 {
     /// <summary>Number of what can be chosen.</summary>
     public const int Count = 9;
+
+    /// <summary>Whether the bones hang, rather than lie back: then what goes aside is told from the plane of the midline, and the blade leans about its bone, so that both mean something of a bone that points down.</summary>
+    public bool Hangs { get; init; }
 
     /// <summary>The same with one number changed, within its bounds.</summary>
     public WingFold With(int number, double change, in WingFold min, in WingFold max) => number switch
@@ -39,7 +42,7 @@ internal readonly record struct WingFold(double Drop, double Spread, double Rise
         double aside = bone == 0 ? Spread : -Converge - ((bone - 1) * Curl);
         PortableMath.SinCos(up, out double su, out double cu);
         PortableMath.SinCos(aside, out double sa, out double ca);
-        return new Vector3((float)(sa * cu), (float)su, (float)(-ca * cu));
+        return Hangs ? new Vector3((float)sa, (float)(su * ca), (float)(-ca * cu)) : new Vector3((float)(sa * cu), (float)su, (float)(-ca * cu));
     }
 
     /// <summary>How much the leading edge bends in the plane of the blade: squares of the angles from bone to bone.</summary>
@@ -49,6 +52,7 @@ internal readonly record struct WingFold(double Drop, double Spread, double Rise
     public Vector3 Face(int bone)
     {
         PortableMath.SinCos(Lean + (bone * Wrap), out double sine, out double cosine);
-        return new Vector3((float)cosine, (float)sine, 0f);
+        Vector3 along = Hangs ? Direction(bone) : -Vector3.UnitZ;
+        return new Vector3((float)cosine, -along.Z * (float)sine, along.Y * (float)sine);
     }
 }

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
+using CreatureGen.Anatomy;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion;
@@ -35,6 +36,25 @@ public sealed class CarriedWingTests
             Joint of = creature.Skeleton.Joints[joint];
             Quaternion turn = Rotation.Normalize(Rotation.Multiply(Rotation.Inverse(of.LocalRotation), animator.LocalPose.Rotations[joint]));
             Assert.True(SwingTwistLimit.Excess(turn, of.Limit) < 1e-3f, $"{seed} {of.Name}");
+        }
+    }
+
+    /// <summary>Laid back along the flank, blades stood up behind their leading edges: feathers were boats from ahead, membranes tents.</summary>
+    [Theory]
+    [MemberData(nameof(Winged))]
+    public void Blades_of_folded_wings_point_back_and_show_their_upper_faces(ulong seed)
+    {
+        (Creature creature, CreatureAnimator animator) = Standing(seed);
+        foreach (LimbChain wing in creature.Limbs.Where(limb => limb.Kind == LimbKind.Wing && limb.Side == Side.Left))
+        {
+            foreach (int joint in wing.Joints.Skip(1).Take(2))
+            {
+                Quaternion turn = Rotation.Multiply(animator.ModelPose.Rotations[joint], Rotation.Inverse(creature.Skeleton.ModelRotations[joint]));
+                Vector3 rear = Rotation.Rotate(turn, -Vector3.UnitZ);
+                Vector3 upper = Rotation.Rotate(turn, Vector3.UnitY);
+                Assert.True(-rear.Z > 0.7f, FormattableString.Invariant($"{seed} {creature.Skeleton.Joints[joint].Name}: its blade points to {rear}"));
+                Assert.True(upper.X > 0.5f, FormattableString.Invariant($"{seed} {creature.Skeleton.Joints[joint].Name}: its upper face looks to {upper}"));
+            }
         }
     }
 
