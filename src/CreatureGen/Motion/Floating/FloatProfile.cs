@@ -17,10 +17,10 @@ internal sealed class FloatProfile
     private const float UprightImmersion = 0.9f;
     private const float MinImmersion = 0.3f;
 
-    /// <summary>Height of the trunk's line over its length from which on it is upright.</summary>
-    private const float Upright = 0.7f;
+    /// <summary>Radians by which the trunk of a body on two legs rises ahead as it lies on the water: what stands more upright lies ahead by the rest.</summary>
+    private const float LyingRise = 0.35f;
 
-    /// <summary>Radians by which a trunk is held nose up at least and at most; an upright one lies ahead on the water by so much.</summary>
+    /// <summary>Radians by which a trunk is held nose up at least and at most; an upright one lies ahead on the water by so much at most.</summary>
     private const float MinPitch = 0.08f;
     private const float SteepestPitch = 0.4f;
     private const float UprightLean = 1.1f;
@@ -42,17 +42,16 @@ internal sealed class FloatProfile
         Body = body;
         ReadOnlySpan<Vector3> rest = body.TrunkRest;
         Vector3 line = rest[rest.Length - 1] - rest[0];
-        bool upright = body.IsBiped && line.Y > Upright * Vec.Length(line);
+        float lean = body.IsBiped ? Scalar.Clamp((float)PortableMath.Asin(Math.Max(line.Y, 0f) / Vec.Length(line)) - LyingRise, 0f, UprightLean) : 0f;
         Extent(body, body.Trunk, Vector3.Zero, 0f, out Vector3 min, out Vector3 max);
         Middle = (min + max) * 0.5f;
         LegStep step = body.Legs[0].Traits.Kind.Step;
         Undulation = step.Undulation;
-        LiesAhead = upright;
-        float lean = upright ? UprightLean : 0f;
+        LiesAhead = lean > 0f;
         Extent(body, body.Trunk, Middle, lean, out min, out max);
-        float immersion = upright ? UprightImmersion : step.Immersion;
+        float immersion = Scalar.Lerp(step.Immersion, UprightImmersion, lean / UprightLean);
         Draught = Math.Max(Math.Min(Scalar.Lerp(min.Y, max.Y, immersion), HeadHeight(body, Middle, lean)), Scalar.Lerp(min.Y, max.Y, MinImmersion));
-        (Pitch, NeckPitch) = upright ? (-lean, -lean) : PitchOf(body);
+        (Pitch, NeckPitch) = LiesAhead ? (-lean, -lean) : PitchOf(body);
         lags = Array.ConvertAll(body.Legs, leg => LagOf(body, leg));
     }
 
