@@ -4,6 +4,7 @@ using CreatureGen.Maths;
 using CreatureGen.Motion.Events;
 using CreatureGen.Motion.Modes;
 using CreatureGen.Motion.Walking;
+using CreatureGen.Motion.Walking.Poses;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Flying;
@@ -31,6 +32,7 @@ internal sealed class FlyingMode : IWingedMode
     private readonly FlightProfile profile;
     private readonly WalkingMode? legs;
     private readonly StancePose stance;
+    private readonly LegPace? pace;
     private readonly EventQueue events;
     private FlightState state;
     private CriticallyDampedSpring opened;
@@ -45,6 +47,7 @@ internal sealed class FlyingMode : IWingedMode
         this.legs = legs;
         this.events = events;
         stance = new StancePose(profile.Skeleton);
+        pace = legs?.NewPace();
         state = Resting;
     }
 
@@ -78,19 +81,17 @@ internal sealed class FlyingMode : IWingedMode
     public RootPlace Update(RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         FlightInput asked;
-        float left;
         state.Left = dt;
         do
         {
             bool before = IsOnFeet;
             FlightPhase phase = state.Phase;
-            left = state.Left;
+            float left = state.Left;
             RootDelta way = Fly(place, left, input, settings, HeightOf(place, settings, ground), layer, out asked);
             float gone = left - state.Left;
             if (before)
             {
                 legs!.Sink = (float)(profile.CrouchDepth * state.CrouchDepth);
-                legs.IsMixed = !StancePose.IsWhole(state.Planted.Value);
                 place = legs.Update(place, gone, OnFoot(phase, input, place.Scale), settings, ground, layer, stance.Cleared());
                 Speed = legs.Speed;
             }
@@ -110,7 +111,8 @@ internal sealed class FlyingMode : IWingedMode
             Reach(place, settings, ground, layer);
         }
 
-        Write(asked, left, local);
+        Write(asked, local);
+        pace?.Bound(dt, local);
         return place;
     }
 
@@ -120,13 +122,11 @@ internal sealed class FlyingMode : IWingedMode
         MotionMedium medium = height > AirborneHeight * profile.LegLength ? MotionMedium.Air : MotionMedium.Ground;
         MotionInput input = RootStep.Asked(place, dt, goal, medium);
         FlightInput asked;
-        float left;
         state.Left = dt;
         do
         {
             bool before = IsOnFeet;
-            left = state.Left;
-            Fly(goal, left, input, settings, height, layer, out asked);
+            Fly(goal, state.Left, input, settings, height, layer, out asked);
             Speed = before ? legs!.Speed : state.Speed;
             turn = (float)state.Turn.Value;
             Change(before, goal, settings, ground, layer);
@@ -135,8 +135,7 @@ internal sealed class FlyingMode : IWingedMode
 
         if (IsOnFeet)
         {
-            legs!.IsMixed = !StancePose.IsWhole(state.Planted.Value);
-            legs.Follow(place, dt, goal, settings, ground, layer, stance.Cleared());
+            legs!.Follow(place, dt, goal, settings, ground, layer, stance.Cleared());
             Speed = legs.Speed;
         }
         else
@@ -144,7 +143,8 @@ internal sealed class FlyingMode : IWingedMode
             Reach(goal, settings, ground, layer);
         }
 
-        Write(asked, left, local);
+        Write(asked, local);
+        pace?.Bound(dt, local);
     }
 
     public void Stand(in RootPlace place, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
@@ -160,7 +160,8 @@ internal sealed class FlyingMode : IWingedMode
             legs.Stand(place, settings, ground, layer, stance.Cleared());
         }
 
-        Write(asked, 0f, local);
+        Write(asked, local);
+        pace?.Show(local);
     }
 
     public void HoldWings(in RootPlace place, float dt, bool open, in MotionSettings settings, BodyLayer? layer, in Pose local)
@@ -175,7 +176,8 @@ internal sealed class FlyingMode : IWingedMode
         while (state.Left > 0f);
         Speed = legs!.Speed;
         stance.Take(local);
-        Write(asked, 0f, local);
+        Write(asked, local);
+        pace?.Show(local);
     }
 
     public void TakeWing(Vector3 velocity)
@@ -196,6 +198,7 @@ internal sealed class FlyingMode : IWingedMode
         var mode = (FlyingMode)other;
         legs?.CopyFrom(mode.legs!);
         stance.CopyFrom(mode.stance);
+        pace?.CopyFrom(mode.pace!);
         state = mode.state;
         opened = mode.opened;
         turn = mode.turn;
@@ -251,19 +254,12 @@ internal sealed class FlyingMode : IWingedMode
     }
 
     /// <summary>Writes the pose: last, for folded wings swing with the steps of this very update.</summary>
-    /// <param name="asked">What it is to do.</param>
-    /// <param name="dt">Seconds since it was shown on its legs alone, or since the pose before.</param>
-    /// <param name="local">The pose.</param>
-    private void Write(in FlightInput asked, float dt, in Pose local)
+    private void Write(in FlightInput asked, in Pose local)
     {
         FlightPose.Write(profile, state, asked with { Sway = IsOnFeet ? legs!.Sway : default }, local);
         if (legs != null)
         {
             stance.Mix(state.Planted.Value, local);
-            if (!StancePose.IsWhole(state.Planted.Value))
-            {
-                legs.KeepPace(dt, local);
-            }
         }
     }
 

@@ -1,10 +1,8 @@
 using System;
 using System.Numerics;
 using CreatureGen.Maths;
-using CreatureGen.Motion.Grounds;
 using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Motion.Walking.Footsteps;
-using CreatureGen.Motion.Walking.Legs;
 using CreatureGen.Motion.Walking.Pace;
 using CreatureGen.Motion.Walking.Trunk;
 
@@ -30,8 +28,8 @@ internal struct RootHeight
     /// <summary>How far the ground under the hips may be off that under the feet, leg lengths: who stands on the edge of a pit is not in it.</summary>
     private const float MostOff = 0.35f;
 
-    /// <summary>How far above and below the root that ground is felt, leg lengths.</summary>
-    private const float Range = 1.2f;
+    /// <summary>How far above and below the root that ground is felt, leg lengths: as far as feet find footing.</summary>
+    private const float Range = 0.8f;
 
     private ExponentialDecay decay;
     private float rise;
@@ -96,15 +94,13 @@ internal struct RootHeight
         var range = new GroundRange(placement, up, ground, reach, reach);
         Vector3 way = velocity.Predict(Foresight(UnevenPace(velocity.Speed, body.LegLength)), out float yaw);
         Quaternion turn = AxisRotation.Yaw(yaw);
-        LegRig hind = body.Legs[0];
-        LegRig fore = body.Legs[body.Legs.Length - 1];
-        if (Has(range, way, turn, hind, out float height))
+        if (range.Has(way + Rotation.Rotate(turn, body.HindHips), out float height))
         {
             under = height;
             felt = true;
-            if (fore.Row != hind.Row)
+            if (body.Rows > 1)
             {
-                felt = Has(range, way, turn, fore, out height);
+                felt = range.Has(way + Rotation.Rotate(turn, body.ForeHips), out height);
                 under = 0.5f * (under + height);
             }
         }
@@ -127,6 +123,4 @@ internal struct RootHeight
 
     /// <summary>Seconds that a spring takes to go on.</summary>
     private static float Foresight(float pace) => 2f / pace;
-
-    private static bool Has(in GroundRange range, Vector3 way, Quaternion turn, LegRig leg, out float height) => range.Has(way + Rotation.Rotate(turn, leg.HipRest with { X = 0f }), out height);
 }

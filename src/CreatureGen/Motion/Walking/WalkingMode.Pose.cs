@@ -98,10 +98,7 @@ internal sealed partial class WalkingMode
             }
         }
 
-        if (!IsMixed)
-        {
-            KeepPace(dt, local);
-        }
+        pace.Bound(dt, planner.Feet, local);
     }
 
     private GaitNumbers Numbers(float dt, in MotionSettings settings, BodyLayer? layer) =>

@@ -135,9 +135,6 @@ internal sealed partial class WalkingMode : ILocomotionMode
     /// <summary>How folded wings swing with it.</summary>
     public WingSway Sway => sway;
 
-    /// <summary>Whether another way of moving has a part in its pose, so that it is that pose whose legs are to keep to their pace.</summary>
-    public bool IsMixed { get; set; }
-
     /// <summary>How it goes at present, metres per second of the model, and radians per second.</summary>
     public BodyVelocity Velocity => new(new Vector3(velocity.Sideways, 0f, velocity.Speed), velocity.Turn);
 
@@ -207,6 +204,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
         }
 
         Pose(place, 0f, settings, layer, null, local);
+        pace.Show(local);
     }
 
     /// <summary>Poses it with its feet where they are: time passes for nothing but its breath.</summary>
@@ -217,16 +215,8 @@ internal sealed partial class WalkingMode : ILocomotionMode
     /// <param name="local">Receives the pose.</param>
     public void Hold(in RootPlace place, float dt, in MotionSettings settings, BodyLayer? layer, in Pose local) => Pose(place, dt, settings, layer, null, local);
 
-    /// <summary>Has the legs keep to their pace in a pose in which another way of moving has a part.</summary>
-    /// <param name="dt">Seconds since the pose before.</param>
-    /// <param name="local">The pose.</param>
-    public void KeepPace(float dt, in Pose local)
-    {
-        if (dt > 0f)
-        {
-            pace.Bound(dt, planner.Feet, local);
-        }
-    }
+    /// <summary>What has legs keep to their pace in poses in which another way of moving has a part.</summary>
+    public LegPace NewPace() => new(body, turns);
 
     /// <summary>Pushes the body; what it intends stays as it is, and its feet step after it.</summary>
     /// <param name="push">Change of its velocity, metres per second of the model, in its own axes.</param>
@@ -277,7 +267,6 @@ internal sealed partial class WalkingMode : ILocomotionMode
         planner.CopyFrom(mode.planner);
         placer.CopyFrom(mode.placer);
         pace.CopyFrom(mode.pace);
-        IsMixed = mode.IsMixed;
         (velocity, pushed, acceleration, gait, told, activity, life) = (mode.velocity, mode.pushed, mode.acceleration, mode.gait, mode.told, mode.activity, mode.life);
         (standing, moving, going, arrived, ticker) = (mode.standing, mode.moving, mode.going, mode.arrived, mode.ticker);
         (activityDecay, height, raiseDecay, Sink, Bow, Raised, Facing) = (mode.activityDecay, mode.height, mode.raiseDecay, mode.Sink, mode.Bow, mode.Raised, mode.Facing);

@@ -63,6 +63,8 @@ internal sealed class LeggedBody
         }
 
         GoingHomes = NeutralFootholds.Of(Legs, Rows);
+        HindHips = Array.Find(Legs, leg => leg.Row == 0)!.HipRest with { X = 0f };
+        ForeHips = Array.Find(Legs, leg => leg.Row == Rows - 1)!.HipRest with { X = 0f };
         StepRanges = new StepRange[Legs.Length];
         for (int i = 0; i < Legs.Length; i++)
         {
@@ -203,6 +205,11 @@ internal sealed class LeggedBody
     public float LegLength { get; }
 
     public float HipHeight { get; }
+
+    /// <summary>Between the hips of the hindmost and of the foremost pair at rest, model space.</summary>
+    public Vector3 HindHips { get; }
+
+    public Vector3 ForeHips { get; }
 
     /// <summary>How far the rear and the front of the body come down as it goes, metres.</summary>
     public float HindStoop { get; }

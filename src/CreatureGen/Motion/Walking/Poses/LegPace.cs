@@ -52,39 +52,45 @@ internal sealed class LegPace
         }
     }
 
-    /// <summary>Bounds all legs of a pose of which not all comes from their feet, and takes it for what is shown.</summary>
-    /// <param name="dt">Seconds since the last, above 0.</param>
-    /// <param name="feet">Their feet.</param>
+    /// <summary>Bounds the legs of a pose, and takes it for what is shown. Where no time passes it is as it is.</summary>
+    /// <param name="dt">Seconds since the last.</param>
+    /// <param name="local">The pose.</param>
+    public void Bound(float dt, in Pose local) => Bound(dt, default, local);
+
+    /// <summary>Bounds the legs of a pose, and takes it for what is shown. Where no time passes it is as it is.</summary>
+    /// <param name="dt">Seconds since the last.</param>
+    /// <param name="feet">Their feet, which learn how far they lag; none where the pose is not theirs alone.</param>
     /// <param name="local">The pose.</param>
     public void Bound(float dt, Span<Foot> feet, in Pose local)
     {
-        for (int i = 0; i < shown.Length; i++)
+        if (dt <= 0f)
         {
-            Bound(i, dt, ref feet[i], local);
+            return;
         }
 
-        known = true;
-    }
-
-    /// <summary>Bounds a leg as it has been posed.</summary>
-    private void Bound(int index, float dt, ref Foot foot, in Pose local)
-    {
-        LegRig leg = body.Legs[index];
-        var asked = LegTurns.Of(leg, local);
-        if (known)
+        float least = Least(dt);
+        for (int i = 0; i < shown.Length; i++)
         {
-            float turned = shown[index].CosineTo(asked);
-            if (turned < Least(dt))
+            LegRig leg = body.Legs[i];
+            var asked = LegTurns.Of(leg, local);
+            float turned = known ? shown[i].CosineTo(asked) : 1f;
+            if (turned < least)
             {
-                Vector3 end = End(leg, foot, local);
-                float half = FastTrigonometry.Of((float)Math.Sqrt(Math.Max((1f - turned) * (1f + turned), 0f)), turned);
-                shown[index].WriteTowards(asked, 0.5f * Fastest * dt / half, leg, local);
-                asked = LegTurns.Of(leg, local);
-                Tell(ref foot, End(leg, foot, local) - end);
+                float half = FastTrigonometry.Of((float)Math.Sqrt((1f - turned) * (1f + turned)), turned);
+                shown[i].WriteTowards(asked, 0.5f * Fastest * dt / half, leg, local);
+                shown[i] = LegTurns.Of(leg, local);
+                if (!feet.IsEmpty)
+                {
+                    Tell(ref feet[i], End(leg, feet[i], shown[i]) - End(leg, feet[i], asked));
+                }
+            }
+            else
+            {
+                shown[i] = asked;
             }
         }
 
-        shown[index] = asked;
+        known = true;
     }
 
     /// <summary>Cosine of half the angle by which a joint turns at most; 0 where it may turn by any.</summary>
@@ -108,11 +114,11 @@ internal sealed class LegPace
     }
 
     /// <summary>Where the leg brings its ankle, or the ball of a linked one, from its hip.</summary>
-    private Vector3 End(LegRig leg, in Foot foot, in Pose local)
+    private Vector3 End(LegRig leg, in Foot foot, in LegTurns local)
     {
-        Quaternion thigh = Rotation.Multiply(foot.Leg.Carrier, turns.Of(local, leg.Hip));
-        Quaternion shank = Rotation.Multiply(thigh, turns.Of(local, leg.Knee));
+        Quaternion thigh = Rotation.Multiply(foot.Leg.Carrier, turns.Of(leg.Hip, local.Hip));
+        Quaternion shank = Rotation.Multiply(thigh, turns.Of(leg.Knee, local.Knee));
         Vector3 ankle = Rotation.Rotate(thigh, leg.Thigh) + Rotation.Rotate(shank, leg.Shank);
-        return leg.Traits.Linkage != LegLinkage.Pantograph ? ankle : ankle + Rotation.Rotate(Rotation.Multiply(shank, turns.Of(local, leg.Ankle)), leg.Metatarsus);
+        return leg.Traits.Linkage != LegLinkage.Pantograph ? ankle : ankle + Rotation.Rotate(Rotation.Multiply(shank, turns.Of(leg.Ankle, local.Ankle)), leg.Metatarsus);
     }
 }
