@@ -115,6 +115,17 @@ public sealed class CourseBoundsTests
         Assert.InRange(report.RootLag!.Value, 0.05f, 0.25f);
     }
 
+    /// <summary>
+    /// Feet of claws were turned about the middle of their soles with their legs (.007), toes of a grasshopper were not in the outline on which its feet roll (.023), hips of a bird came to their end between two decisions (.056),
+    /// and a sprawler came to rest on stairs on a foot that its leg did not reach (.031).
+    /// </summary>
+    [Theory]
+    [InlineData(RequestedKind.Walking, 23151019UL, "keys", 0.005f)]
+    [InlineData(RequestedKind.Walking, 23151004UL, "straight", 0.01f)]
+    [InlineData(RequestedKind.Flying, 22400038UL, "keys", 0.01f)]
+    [InlineData(RequestedKind.Walking, 22400028UL, "runner", 0.025f)]
+    public void Feet_stay_where_they_stand_as_their_legs_go_over_them(RequestedKind kind, ulong seed, string script, float slip) => Hold(kind, seed, script, CreatureOptions.Default.Strangeness, 65f, slip);
+
     private static void Hold(RequestedKind kind, ulong seed, string script, double strangeness, float radiansPerSecond, float slip)
     {
         var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind, Strangeness = strangeness }));

@@ -131,7 +131,7 @@ public sealed class SoleHoldTests
     private static (LegRig Leg, Foot Foot, FootPose Flat) Standing(ulong seed)
     {
         LegRig leg = new MotionProfile(Walkers.Any(seed)).Legs!.Legs[0];
-        var foot = new Foot { Path = new FootPath { Base = leg.Home, Heading = Quaternion.Identity, Normal = Vector3.UnitY } };
+        var foot = new Foot { Path = new FootPath { Base = leg.Home, Heading = Quaternion.Identity, Planned = Quaternion.Identity, Normal = Vector3.UnitY } };
         Vector3 ball = leg.Home + new Vector3(0f, leg.BallHeight, 0f);
         return (leg, foot, new FootPose { Ball = ball, Target = ball, Foot = Quaternion.Identity, Toes = Quaternion.Identity });
     }
