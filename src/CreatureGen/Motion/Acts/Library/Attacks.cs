@@ -94,12 +94,12 @@ internal static class Attacks
             .Needing(ActNeeds.LongTail | ActNeeds.Legs).For(BodyBuild.Standing).OnTheSpot(),
     };
 
-    /// <summary>Drawn back over the feet, struck out, and wrenched to and fro: by the back, or by the head alone where low legs, or many, leave that no room.</summary>
+    /// <summary>Drawn back over the feet, struck out, and wrenched to and fro and back: by the back, or by the head alone where low legs, or many, leave that no room.</summary>
     private static Act BiteOnLegs(ActPhase wrench) => new Act("Bite", ActKind.Strike,
         new ActPhase("draw", 1.4f).To(Ahead, -0.18f).To(ForeDown, 0.10f).To(HindDown, 0.08f).To(NeckPitch, 0.35f).To(Jaw, 0.25f).To(Ears, 0.6f).To(TailPitch, -0.15f).To(ArmsBend, 0.5f).AtLeast(Seen).Then(ActMark.Commit),
         new ActPhase("strike", 0.55f, ActEase.In).To(Ahead, 0.04f).To(NeckPitch, 0f).To(Jaw, 1f).To(Reach, 0.85f).To(TailPitch, 0.4f).To(ArmsBend, 0f).To(ArmsAhead, 0.3f),
         new ActPhase("shut", 0.22f, ActEase.Out).To(Jaw, 0.1f).To(Reach, 1f).To(Ears, 1f).To(Lids, 0.6f).Then(ActMark.Contact),
-        wrench.With(new ActWave(TailSide, 0.4f, 1.5f, 0.3f)),
+        wrench.To(Reach, 0.75f).To(Ahead, -0.05f).With(new ActWave(NeckSide, 0.2f, 1.5f, -0.1f)).With(new ActWave(TailSide, 0.4f, 1.5f, 0.3f)),
         new ActPhase("recover", 2.0f).To(Reach, 0f).To(Ahead, 0f).To(ForeDown, 0f).To(HindDown, 0f).To(Jaw, 0f).To(Lids, 0f).To(Ears, 0f).To(TailPitch, 0f).To(ArmsAhead, 0f))
         .Needing(ActNeeds.Head).With(ActTool.Mouth, 0.15f);
 

@@ -138,7 +138,7 @@ internal static class Postures
             new ActPhase("give way", 1.1f, ActEase.In).To(ForeDown, 0.52f).To(ForeFold, 0.55f).To(HindDown, 0.46f).To(HindFold, 0.4f).To(NeckPitch, 0.2f).To(NeckSide, 0f).To(TailPitch, 0f),
             new ActPhase("drop", 1.2f, ActEase.In).To(ForeDown, 1f).To(HindDown, 1f).To(ForeFold, 1f).To(HindFold, 1f).To(NeckPitch, -0.5f).To(TailPitch, -0.3f),
             new ActPhase("slump", 1.8f, ActEase.Out).To(ForeFeetOut, 0.2f).To(ForeFootAhead, 0.3f).To(HindFeetAhead, -0.4f).To(HindFootAhead, 0.25f).To(NeckPitch, -0.9f).To(NeckSide, 0.8f).To(HeadPitch, 0.6f).To(HeadRoll, 0.6f).To(HeadSide, 0.3f)
-                .To(Roll, 0.18f).To(BackSide, 0.35f).To(TailSide, 1f).To(TailPitch, -1.2f).To(Lids, 0.8f).To(Jaw, 0.2f).To(ArmsOut, 0.3f).To(Wings, 0.2f),
+                .To(Roll, 0.18f).To(BackSide, 0.35f).To(TailSide, 1f).To(TailPitch, -1.2f).To(Lids, 0.8f).To(Jaw, 0.1f).To(ArmsOut, 0.3f).To(Wings, 0.2f),
             new ActPhase("still", 5f).Lasting(),
             new ActPhase("gather", 2f).To(ForeFeetOut, 0f).To(ForeFootAhead, 0f).To(HindFeetAhead, 0f).To(HindFootAhead, 0f).To(Roll, 0f).To(BackSide, 0f).To(NeckPitch, -0.1f).To(HeadPitch, 0f).To(HeadRoll, 0f).To(Wings, 0f),
             new ActPhase("lift", 1.8f).To(ForeDown, 0.5f).To(HindDown, 0.5f).To(ForeFold, 0.4f).To(HindFold, 0.4f).To(NeckSide, 0f).To(HeadSide, 0f).To(TailSide, 0f),
@@ -175,7 +175,7 @@ internal static class Postures
             new ActPhase("reel", 1.6f).To(Aside, 0.06f).To(Roll, -0.06f).To(NeckPitch, 0.3f).To(NeckSide, -0.3f).To(Lids, 0.5f).To(Jaw, 0.4f).To(Ears, 0.8f),
             new ActPhase("buckle", 1.2f, ActEase.In).To(ForeDown, 0.62f).To(HindDown, 0.45f).To(ForeFold, 0.6f).To(HindFold, 0.4f).To(Aside, 0f).To(NeckPitch, -0.1f),
             new ActPhase("drop", 1.4f, ActEase.In).To(ForeDown, 0.97f).To(HindDown, 0.97f).To(ForeFold, 1f).To(HindFold, 1f).To(NeckPitch, -0.6f).To(Roll, 0f).To(Pitch, 0.4f * tip),
-            new ActPhase("settle", 1.6f, ActEase.Out).To(Pitch, tip).To(NeckPitch, -0.9f).To(NeckSide, 0.5f).To(HeadPitch, 0.6f).To(HeadRoll, 0.25f).To(HeadSide, 0.2f).To(Lids, 0.8f).To(Jaw, 0.2f).To(TailSide, 0.4f).To(TailPitch, -0.3f + tip).To(ArmsOut, 0.3f),
+            new ActPhase("settle", 1.6f, ActEase.Out).To(Pitch, tip).To(NeckPitch, -0.9f).To(NeckSide, 0.5f).To(HeadPitch, 0.6f).To(HeadRoll, 0.25f).To(HeadSide, 0.2f).To(Lids, 0.8f).To(Jaw, 0.1f).To(TailSide, 0.4f).To(TailPitch, -0.3f + tip).To(ArmsOut, 0.3f),
             new ActPhase("still", 5f).Lasting(),
             new ActPhase("lift", 2.4f).To(Pitch, 0f).To(ForeDown, 0.5f).To(HindDown, 0.5f).To(ForeFold, 0.4f).To(HindFold, 0.4f).To(NeckPitch, -0.4f).To(HeadPitch, 0f),
             new ActPhase("rise", 2.6f).To(ForeDown, 0f).To(HindDown, 0f).To(ForeFold, 0f).To(HindFold, 0f).To(NeckPitch, 0f).To(NeckSide, 0f).To(HeadRoll, 0f).To(HeadSide, 0f).To(Lids, 0f).To(Jaw, 0f).To(Ears, 0f).To(TailSide, 0f).To(TailPitch, 0f).To(ArmsOut, 0f))
