@@ -19,7 +19,7 @@ internal static class Postures
 
     private static readonly ActPhase[] sleep =
     {
-        new ActPhase("nod", 3.5f).To(NeckPitch, -0.75f).To(HeadPitch, -0.1f).To(NeckSide, 0.35f).To(HeadSide, 0.1f).To(Lids, 1f).To(Ears, 0.35f).To(TailSide, 0.5f),
+        new ActPhase("nod", 3.5f).To(NeckPitch, -0.9f).To(HeadPitch, 0.45f).To(NeckSide, 0.35f).To(HeadSide, 0.1f).To(Lids, 1f).To(Ears, 0.35f).To(TailSide, 0.5f),
         new ActPhase("sleep", 14f).Lasting().With(new ActWave(Up, 0.006f, 2.5f)),
         new ActPhase("wake", 2.4f).To(Lids, 0f).To(NeckPitch, 0.1f).To(HeadPitch, 0f).To(NeckSide, 0f).To(HeadSide, 0f).To(Ears, -0.3f).To(TailSide, 0f),
     };
