@@ -20,7 +20,7 @@ internal static class TailShaper
 
     /// <summary>The ring from which on a fluke spreads, and how much of its span is reached before its middle: its leading edge bends back to pointed tips.</summary>
     private const int FlukeFirst = 47;
-    private const double FlukeBend = 0.7;
+    private const double FlukeBend = 0.5;
 
     /// <summary>What is left of the thickness of a stalk where its fin opens that is longer than the fin.</summary>
     private const double StalkEnd = 0.55;

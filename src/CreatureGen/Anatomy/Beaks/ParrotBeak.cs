@@ -7,7 +7,7 @@ internal static class ParrotBeak
     public static readonly BeakForm Form = new()
     {
         Length = (0.28, 0.4), Hook = 1.0,
-        Root = (5.7f, 5.4f, 4.5f),
+        Root = (5.1f, 4.9f, 4.1f),
         Upper = new BillForm { Ridge = (0.1f, 0.26f, 0.26f), Side = (0.08f, 0.13f, 0.12f), Keel = 4f, Notch = 0.5f, Close = (1.7f, 1.5f) },
         Lower = new BillForm { Ridge = (0.06f, 0.12f, 0.12f), Side = (0.05f, 0.07f, 0.07f), Notch = 0.3f, Close = (2.2f, 1.8f) },
         LowerLength = 0.3f,
