@@ -6,8 +6,10 @@ using CreatureGen.Anatomy;
 using CreatureGen.Anatomy.Legs;
 using CreatureGen.Blueprints;
 using CreatureGen.Creatures;
+using CreatureGen.Limbs;
 using CreatureGen.Rigging;
 using CreatureGen.Sampling;
+using CreatureGen.Tests.Sampling;
 using Xunit;
 
 namespace CreatureGen.Tests.Limbs;
@@ -71,6 +73,16 @@ public sealed class LegOutlineTests
         double thigh = outline.Rows.Skip(2).Take(knee - 2).Max(row => row.ForeRadius);
         Assert.True(outline.Rows.Take(knee - 1).Min(row => row.ForeRadius) < 0.75 * thigh, "a thigh that is a pipe from its root on");
         Assert.True(outline.Rows[knee].ForeRadius < 0.5 * thigh, "a knee as thick as its thigh");
+    }
+
+    [Fact]
+    public void The_arms_of_a_mantis_have_spines_that_shut_on_one_another()
+    {
+        CreatureBlueprint mantis = BlueprintSampler.Sample(23371100, SpeciesSubject.Only("mantis", RequestedKind.Walking));
+        DigitTip[] spines = GrownSurface.Grow(mantis).Tips.Where(tip => tip.ClawLength == 5f).ToArray();
+        Assert.True(spines.Length >= 6, $"{spines.Length} spines");
+        Assert.Contains(spines, spine => spine.Direction.Z > 0.5f);
+        Assert.Contains(spines, spine => spine.Direction.Z < -0.5f);
     }
 
     [Fact]

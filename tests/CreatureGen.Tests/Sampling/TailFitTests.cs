@@ -370,6 +370,19 @@ public sealed class TailFitTests
     }
 
     [Fact]
+    public void A_tail_with_a_sting_bends_over_the_back()
+    {
+        double[] ahead = Enumerable.Range(0, 80)
+            .Select(i => BlueprintSampler.Sample(23371000 + (ulong)i, CreatureOptions.Default with { Kind = RequestedKind.Walking, Strangeness = 1 }))
+            .Where(creature => creature.Tail.Style == TailStyle.Stinger)
+            .Select(creature => BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail))
+            .Select(shape => (shape.Z[StationRing.TailTip] - shape.Z.Min()) / (shape.Arc[StationRing.TailTip] - shape.Arc[StationRing.TorsoLast]))
+            .ToArray();
+        Assert.NotEmpty(ahead);
+        Assert.True(ahead.Count(tip => tip > 0.04) * 2 > ahead.Length, FormattableString.Invariant($"tips ahead of their rearmost ring by {string.Join(" ", ahead.Select(tip => FormattableString.Invariant($"{tip:0.00}")))} of their tails"));
+    }
+
+    [Fact]
     public void A_sting_is_no_longer_than_a_quarter_of_its_tail()
     {
         int stings = 0;

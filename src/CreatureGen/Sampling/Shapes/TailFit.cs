@@ -76,6 +76,9 @@ internal static class TailFit
     /// <summary>The same, for its end against its root: those of fish and newts rise by themselves.</summary>
     private const double RolledLeastFall = 22;
 
+    /// <summary>How much more steeply a tail with a sting leaves the rump, degrees, so that it bends over the back: one that ends upright is a mast from behind.</summary>
+    private const double StingDegrees = 36;
+
     // Least and most that an abdomen comes down, and how far its end bends back out: a level one is a ball from behind, one that turns down at its end looks cut off there.
     private const double LeastAbdomenDegrees = 12;
     private const double AbdomenDegrees = 19;
@@ -219,6 +222,11 @@ internal static class TailFit
             builder.Posture = drawn with { Tail = Scalar.Lerp(drawn.Tail, rolled, builder.Fitting) };
             double lacks = Math.Max(0, Scalar.Radians(RolledLeastFall) - Fall(builder));
             return builder.Posture with { Tail = builder.Posture.Tail + (builder.Fitting * lacks) };
+        }
+
+        if (builder.Tail.Style == TailStyle.Stinger && builder.Kind != LocomotionKind.Swimming)
+        {
+            return drawn with { Tail = drawn.Tail - (builder.Fitting * Scalar.Radians(StingDegrees)) };
         }
 
         bool fan = builder.Tail.Style == TailStyle.Feathers;
