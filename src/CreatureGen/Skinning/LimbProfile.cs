@@ -30,8 +30,8 @@ internal sealed class LimbProfile
     private const float WidestAtBall = 0.45f;
 
     // By which share of its span farther out a membrane is all its own at the trailing edge, and what part of the skin at its root the flank holds there beside the leading edge: it grows along the flank, and what turned with the arm stood up as spikes where it folds.
-    private const float HeldByFlank = 0.26f;
-    private const float HeldAtRoot = 0.9f;
+    private const float HeldByFlank = 0.15f;
+    private const float HeldAtRoot = 0.7f;
 
     private const int Ball = 3;
 
