@@ -18,8 +18,9 @@ internal static class InsectWingShape
     private const int Lines = 7;
     private const int Strips = Lines - 1;
 
-    /// <summary>Stations from one dark band across the wing to the next.</summary>
+    /// <summary>Stations from one dark band across the wing to the next, of wings of a family and of those without one.</summary>
     private const int Band = 4;
+    private const int BandOfBlade = 8;
 
     /// <summary>By how much the base of a wing without a style is broader than its outline has it, in widths.</summary>
     private const float Base = 0.16f;
@@ -42,7 +43,7 @@ internal static class InsectWingShape
     public static void Append(PieceBuilder builder, SurfacePoint skin, InsectWingBlueprint wing, float scale, Vector3 membrane, Vector3 vein)
     {
         ThinWingForm? form = ThinWingForm.Of(wing.Style);
-        ReadOnlySpan<float> blade = stackalloc float[] { 0f, 0.07f, 0.19f, 0.35f, 0.54f, 0.73f, 0.90f, 1f };
+        ReadOnlySpan<float> blade = stackalloc float[] { 0f, 0.03f, 0.07f, 0.13f, 0.19f, 0.27f, 0.35f, 0.445f, 0.54f, 0.635f, 0.73f, 0.82f, 0.90f, 0.96f, 0.99f, 1f };
         int rows = form?.Rows ?? blade.Length;
         ReadOnlySpan<float> lines = stackalloc float[Lines] { 0f, 0.07f, 0.31f, 0.345f, 0.63f, 0.92f, 1f };
         float length = (float)wing.Length * scale;
@@ -78,8 +79,8 @@ internal static class InsectWingShape
         }
 
         float thickness = 0.004f * scale;
-        AppendLayer(builder, grid, stations, lines, up, thickness, aspect, membrane, vein);
-        AppendLayer(builder, grid, stations, lines, up, -thickness, aspect, membrane, vein);
+        AppendLayer(builder, grid, stations, lines, up, thickness, form is null ? BandOfBlade : Band, aspect, membrane, vein);
+        AppendLayer(builder, grid, stations, lines, up, -thickness, form is null ? BandOfBlade : Band, aspect, membrane, vein);
     }
 
     /// <summary>A place of a left wing, off the midline: hind wings would push through one another over the back.</summary>
@@ -99,7 +100,7 @@ internal static class InsectWingShape
     }
 
     private static void AppendLayer(
-        PieceBuilder builder, ReadOnlySpan<Vector3> grid, ReadOnlySpan<float> stations, ReadOnlySpan<float> lines, Vector3 up, float thickness, float aspect, Vector3 membrane, Vector3 vein)
+        PieceBuilder builder, ReadOnlySpan<Vector3> grid, ReadOnlySpan<float> stations, ReadOnlySpan<float> lines, Vector3 up, float thickness, int band, float aspect, Vector3 membrane, Vector3 vein)
     {
         const int RowLength = 2 * Strips;
         int rows = stations.Length;
@@ -115,7 +116,7 @@ internal static class InsectWingShape
                     int j = strip + edge;
                     bool border = i == 0 || i == rows - 1 || j == 0 || j == Lines - 1;
                     Vector3 position = grid[(i * Lines) + j] + (up * (border ? 0f : thickness));
-                    builder.Vertex(position, Normal(grid, i, j) * side, Shade(strip, stations[i], lines[j], Math.Abs((2f * (i % Band)) - Band) / Band, aspect, membrane, vein));
+                    builder.Vertex(position, Normal(grid, i, j) * side, Shade(strip, stations[i], lines[j], Math.Abs((2f * (i % band)) - band) / band, aspect, membrane, vein));
                 }
             }
         }

@@ -30,7 +30,7 @@ public sealed class InsectWingShapeTests
                     Piece wing = Build(new InsectWingBlueprint(26, 2.5, 0.8, 0.8 * aspect, azimuth, elevation));
                     PieceChecks.IsSound(wing);
                     PieceChecks.NormalsFollowFaces(wing, 0.95);
-                    Assert.InRange(PieceChecks.TriangleCount(wing), 120, 170);
+                    Assert.Equal(2 * 15 * 6 * 2, PieceChecks.TriangleCount(wing));
                 }
             }
         }
