@@ -315,6 +315,7 @@ internal sealed partial class FootPlanner
         ref Foot foot = ref feet[leg];
         foot.Plan.Phase = FootPhase.Swing;
         foot.Plan.Arrived = false;
+        foot.Plan.AsNear = step.Rests;
         foot.Plan.Steps = false;
         foot.Plan.Held = false;
         foot.Plan.Correcting = false;
@@ -336,7 +337,7 @@ internal sealed partial class FootPlanner
         StandWhereItIs(leg, step);
         foot.Plan.From = foot.Plan.To;
         foot.Plan.Arrived = true;
-        foot.Plan.AsNear = step.Rests;
+        foot.Plan.AsNear &= step.Rests;
         foot.Plan.Swing = 0f;
         foot.Plan.Reached = float.MaxValue;
         foot.Plan.Missed = foot.Leg.Residual;
