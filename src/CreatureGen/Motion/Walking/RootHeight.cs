@@ -80,17 +80,17 @@ internal struct RootHeight
     /// <param name="body">Whose.</param>
     /// <param name="velocity">How it goes.</param>
     /// <param name="up">Unit, world space.</param>
-    /// <param name="ground">The ground; what is level everywhere need not be felt.</param>
+    /// <param name="ground">The ground; what is level everywhere is not felt.</param>
     public void Feel(in RootPlace placement, LeggedBody body, in RootVelocity velocity, Vector3 up, IGround ground)
     {
         bool before = felt;
         felt = false;
-        if (ground is IPlaneGround)
+        float reach = Range * body.LegLength;
+        if (ground is IPlaneGround plane && plane.Normal == up)
         {
             return;
         }
 
-        float reach = Range * body.LegLength;
         var range = new GroundRange(placement, up, ground, reach, reach);
         Vector3 way = velocity.Predict(Foresight(UnevenPace(velocity.Speed, body.LegLength)), out float yaw);
         Quaternion turn = AxisRotation.Yaw(yaw);

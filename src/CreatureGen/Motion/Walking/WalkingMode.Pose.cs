@@ -98,7 +98,15 @@ internal sealed partial class WalkingMode
             }
         }
 
-        pace.Bound(dt, planner.Feet, local);
+        if (ground != null)
+        {
+            pace.Bound(dt, planner.Feet, local);
+        }
+        else
+        {
+            // Who is held, or put somewhere, is as it is at once.
+            pace.Show(local);
+        }
     }
 
     private GaitNumbers Numbers(float dt, in MotionSettings settings, BodyLayer? layer) =>

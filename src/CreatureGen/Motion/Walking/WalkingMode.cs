@@ -169,7 +169,6 @@ internal sealed partial class WalkingMode : ILocomotionMode
         told = settings.Walking.Gait;
         Stand(place, settings, ground, layer);
         Pose(place, 0f, settings, layer, null, local);
-        pace.Show(local);
     }
 
     /// <summary>Poses it as it comes down to the ground at a run: in the stride that goes with its speed, a foot of the hindmost pair about to stand.</summary>
@@ -204,7 +203,6 @@ internal sealed partial class WalkingMode : ILocomotionMode
         }
 
         Pose(place, 0f, settings, layer, null, local);
-        pace.Show(local);
     }
 
     /// <summary>Poses it with its feet where they are: time passes for nothing but its breath.</summary>

@@ -16,7 +16,7 @@ public sealed partial class FootTests
     [Theory]
     [InlineData("Plan", "FootPlanner.Aim.cs", "FootPlanner.Places.cs", "FootPlanner.cs", "FootRelease.cs")]
     [InlineData("Path", "FootPoser.cs", "WalkingMode.Pose.cs")]
-    [InlineData("Leg", "LegPoser.cs", "LegRoom.cs")]
+    [InlineData("Leg", "LegPace.cs", "LegPoser.cs", "LegRoom.cs")]
     public void Each_part_of_a_foot_has_its_own_writers(string part, params string[] writers)
     {
         var found = new List<string>();
