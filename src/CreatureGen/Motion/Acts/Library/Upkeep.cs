@@ -38,12 +38,12 @@ internal static class Upkeep
             new ActPhase("down", 3.2f).To(Reach, 0.92f).To(Jaw, 0.45f).To(Ears, -0.2f).To(TailPitch, 0.12f),
             new ActPhase("bite", 0.8f).To(Reach, 1f).To(Jaw, 0f).Then(ActMark.Contact),
             new ActPhase("tear", 0.7f).To(Reach, 0.8f).To(HeadSide, 0.2f).To(HeadRoll, 0.15f),
-            new ActPhase("chew", 5f).To(Reach, 0.55f).To(HeadSide, 0f).To(HeadRoll, 0f).To(NeckSide, 0.15f).To(Aside, 0.05f).With(new ActWave(Jaw, 0.28f, 5f, 0.25f)).With(new ActWave(HeadRoll, 0.05f, 2.5f)).With(new ActWave(Ears, 0.35f, 3f)).With(new ActWave(TailSide, 0.4f, 1.5f)),
-            new ActPhase("down again", 1.6f).To(Reach, 0.92f).To(Jaw, 0.45f).To(NeckSide, -0.1f).To(Aside, -0.05f),
+            new ActPhase("chew", 5f).To(Reach, 0.55f).To(HeadSide, 0f).To(HeadRoll, 0f).To(NeckSide, 0.15f).With(new ActWave(Jaw, 0.28f, 5f, 0.25f)).With(new ActWave(HeadRoll, 0.05f, 2.5f)).With(new ActWave(Ears, 0.35f, 3f)).With(new ActWave(TailSide, 0.4f, 1.5f)),
+            new ActPhase("down again", 1.6f).To(Reach, 0.92f).To(Jaw, 0.45f).To(NeckSide, -0.1f),
             new ActPhase("bite again", 0.8f).To(Reach, 1f).To(Jaw, 0f),
             new ActPhase("tear again", 0.7f).To(Reach, 0.8f).To(HeadSide, -0.2f).To(HeadRoll, -0.15f),
             new ActPhase("chew again", 4f).To(Reach, 0.6f).To(HeadSide, 0f).To(HeadRoll, 0f).With(new ActWave(Jaw, 0.28f, 4f, 0.25f)).With(new ActWave(HeadRoll, 0.05f, 2f)).With(new ActWave(Ears, 0.35f, 2f)).With(new ActWave(TailSide, 0.4f, 1f)),
-            new ActPhase("up", 2.8f).To(Reach, 0f).To(Ears, 0f).To(NeckSide, 0f).To(Aside, 0f).To(TailPitch, 0f))
+            new ActPhase("up", 2.8f).To(Reach, 0f).To(Ears, 0f).To(NeckSide, 0f).To(TailPitch, 0f))
             .Needing(ActNeeds.Head).With(ActTool.Mouth, 0.95f).For(BodyBuild.Standing),
         new Act("Drink", ActKind.Upkeep,
             new ActPhase("down", 3f).To(Reach, 1f).To(Jaw, 0.15f).Then(ActMark.Contact),
@@ -55,11 +55,11 @@ internal static class Upkeep
         new Act("Drink", ActKind.Upkeep,
             new ActPhase("down", 3.2f).To(Reach, 1f).To(Jaw, 0.08f).To(Ears, 0.2f).Then(ActMark.Contact),
             new ActPhase("lap", 6f).With(new ActWave(Jaw, 0.22f, 6f)).With(new ActWave(HeadPitch, 0.05f, 6f, 0.2f)).With(new ActWave(Ears, 0.3f, 2f)).With(new ActWave(TailSide, 0.4f, 1.5f)),
-            new ActPhase("listen", 2f).To(Reach, 0.4f).To(Jaw, 0f).To(Ears, -0.6f).To(NeckSide, 0.3f).To(HeadSide, 0.25f).To(HeadPitch, 0.2f).To(Aside, 0.05f).To(TailPitch, 0.15f),
+            new ActPhase("listen", 2f).To(Reach, 0.4f).To(Jaw, 0f).To(Ears, -0.6f).To(NeckSide, 0.3f).To(HeadSide, 0.25f).To(HeadPitch, 0.2f).To(TailPitch, 0.15f),
             new ActPhase("swallow", 1.8f).With(new ActWave(Jaw, 0.08f, 3f, 0.25f)).With(new ActWave(NeckPitch, 0.03f, 3f)).With(new ActWave(Ears, 0.3f, 1f)),
-            new ActPhase("down again", 2f).To(Reach, 1f).To(Jaw, 0.08f).To(Ears, 0.2f).To(NeckSide, 0f).To(HeadSide, 0f).To(HeadPitch, 0f).To(Aside, -0.05f).To(TailPitch, 0f),
+            new ActPhase("down again", 2f).To(Reach, 1f).To(Jaw, 0.08f).To(Ears, 0.2f).To(NeckSide, 0f).To(HeadSide, 0f).To(HeadPitch, 0f).To(TailPitch, 0f),
             new ActPhase("lap again", 5f).With(new ActWave(Jaw, 0.22f, 5f)).With(new ActWave(HeadPitch, 0.05f, 5f, 0.2f)).With(new ActWave(Ears, 0.3f, 1f)).With(new ActWave(TailSide, 0.4f, 1f)),
-            new ActPhase("up", 2.8f).To(Reach, 0f).To(Jaw, 0f).To(Ears, 0f).To(Aside, 0f))
+            new ActPhase("up", 2.8f).To(Reach, 0f).To(Jaw, 0f).To(Ears, 0f))
             .Needing(ActNeeds.Head).With(ActTool.Mouth, 0.75f).For(BodyBuild.Standing),
         new Act("Sniff", ActKind.Upkeep,
             new ActPhase("near", 3f).To(Pitch, -0.25f).To(NeckPitch, -0.2f).To(Reach, 1f).To(Ears, -0.7f).To(TailPitch, 0.3f).Then(ActMark.Contact),
