@@ -202,13 +202,19 @@ internal static class LegGrower
             return insectSections;
         }
 
-        float[] sections = new float[(2 * form.Rows) - 1];
-        for (int i = 0; i < sections.Length; i++)
+        // Between the rows of a calf, of what is thin below it and of the hock there are no more: they would only be creased with the knee.
+        bool hocked = !form.Lateral && !form.Jointed && form.AnkleRow - form.KneeRow == 3;
+        var sections = new List<float>();
+        for (int i = 0; i < (2 * form.Rows) - 1; i++)
         {
-            sections[i] = i / 2f;
+            float row = i / 2f;
+            if (i % 2 == 0 || !hocked || row < form.KneeRow + 1 || row > form.AnkleRow)
+            {
+                sections.Add(row);
+            }
         }
 
-        return sections;
+        return sections.ToArray();
     }
 
     private static Appendage Describe(LegForm form, LegBlueprint leg, SocketLoop socket, LegPath path, SweepResult grown)
