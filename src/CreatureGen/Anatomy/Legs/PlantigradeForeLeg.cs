@@ -8,8 +8,8 @@ internal static class PlantigradeForeLeg
         outline: new LegOutline(FootEnd.Toes)
         {
             KneeRow = 2,
-            AnkleRow = 5,
-            BallRow = 7,
+            AnkleRow = 4,
+            BallRow = 6,
             MinThickness = 0.24,
             MaxThickness = 0.31,
             FootRows = 2,
@@ -23,8 +23,7 @@ internal static class PlantigradeForeLeg
                 new() { Forward = 20, Down = 220, Outward = 50, ForeRadius = 810, SideRadius = 720 },
                 new() { Forward = -70, Down = 460, Outward = 40, ForeRadius = 620, SideRadius = 450, ForeOffset = -60 },
                 new() { Forward = -25, Down = 620, Outward = 30, ForeRadius = 485, SideRadius = 480 },
-                new() { Forward = -16, Down = 725, Outward = 25, ForeRadius = 340, SideRadius = 290 },
-                new() { Forward = -10, Down = 800, Outward = 20, ForeRadius = 320, SideRadius = 335 },
+                new() { Forward = -10, Down = 800, Outward = 20, ForeRadius = 315, SideRadius = 295 },
                 new() { Forward = 80, Down = 915, Outward = 20, ForeRadius = 290, SideRadius = 485 },
                 new() { Forward = 200, Down = 955, Outward = 20, ForeRadius = 270, SideRadius = 540 },
             },

@@ -8,8 +8,8 @@ internal static class PlantigradeHindLeg
         outline: new LegOutline(FootEnd.Toes)
         {
             KneeRow = 2,
-            AnkleRow = 5,
-            BallRow = 7,
+            AnkleRow = 4,
+            BallRow = 6,
             MinThickness = 0.24,
             MaxThickness = 0.31,
             FootRows = 2,
@@ -23,8 +23,7 @@ internal static class PlantigradeHindLeg
                 new() { Forward = 60, Down = 200, Outward = 60, ForeRadius = 980, SideRadius = 860, SideOffset = -70 },
                 new() { Forward = 110, Down = 430, Outward = 60, ForeRadius = 680, SideRadius = 480, ForeOffset = -90 },
                 new() { Forward = 20, Down = 620, Outward = 40, ForeRadius = 520, SideRadius = 490, ForeOffset = -40 },
-                new() { Forward = -20, Down = 725, Outward = 34, ForeRadius = 360, SideRadius = 295, ForeOffset = -45 },
-                new() { Forward = -50, Down = 800, Outward = 30, ForeRadius = 350, SideRadius = 350, ForeOffset = -50 },
+                new() { Forward = -50, Down = 800, Outward = 30, ForeRadius = 350, SideRadius = 305, ForeOffset = -50 },
                 new() { Forward = 60, Down = 915, Outward = 30, ForeRadius = 290, SideRadius = 485 },
                 new() { Forward = 200, Down = 955, Outward = 30, ForeRadius = 270, SideRadius = 540 },
             },
