@@ -50,7 +50,6 @@ public sealed class LegOutlineTests
     [InlineData(LimbArchetype.Theropod)]
     [InlineData(LimbArchetype.Bird)]
     [InlineData(LimbArchetype.DigitigradeHind)]
-    [InlineData(LimbArchetype.DigitigradeFore)]
     [InlineData(LimbArchetype.UnguligradeHind)]
     [InlineData(LimbArchetype.UnguligradeFore)]
     public void A_hock_or_wrist_stands_out_below_a_thinner_shank(LimbArchetype archetype)

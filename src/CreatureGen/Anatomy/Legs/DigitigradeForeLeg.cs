@@ -8,8 +8,8 @@ internal static class DigitigradeForeLeg
         outline: new LegOutline(FootEnd.Toes)
         {
             KneeRow = 2,
-            AnkleRow = 5,
-            BallRow = 6,
+            AnkleRow = 4,
+            BallRow = 5,
             MinThickness = 0.185,
             MaxThickness = 0.34,
             FootRows = 2,
@@ -22,8 +22,7 @@ internal static class DigitigradeForeLeg
                 new() { Forward = 20, Down = 180, Outward = 40, ForeRadius = 725, SideRadius = 610 },
                 new() { Forward = -70, Down = 400, Outward = 30, ForeRadius = 465, SideRadius = 350, ForeOffset = -25 },
                 new() { Forward = -30, Down = 570, Outward = 20, ForeRadius = 340, SideRadius = 340 },
-                new() { Forward = -12, Down = 720, Outward = 14, ForeRadius = 225, SideRadius = 198 },
-                new() { Forward = 0, Down = 820, Outward = 10, ForeRadius = 235, SideRadius = 235 },
+                new() { Forward = 0, Down = 820, Outward = 10, ForeRadius = 220, SideRadius = 198 },
                 new() { Forward = 30, Down = 945, Outward = 10, ForeRadius = 270, SideRadius = 365 },
                 new() { Forward = 110, Down = 965, Outward = 10, ForeRadius = 260, SideRadius = 440 },
             },
