@@ -44,13 +44,13 @@ internal sealed record FoldRange(WingFold Usual, WingFold Min, WingFold Max, dou
     /// Laid back along the flank a blade would stand up behind its leading edge, like a boat or a tent.</summary>
     public static FoldRange Carried { get; } = Stitched with
     {
-        Usual = new WingFold(Drop: 1.55, Spread: 0.40, Rise: -1.20, Converge: 0.10, Curl: 0.00, Lift: 0.30, Lean: 0.00, Wrap: -0.20, Length: 0.22) { Hangs = true },
-        Min = new WingFold(Drop: 1.40, Spread: 0.00, Rise: -1.50, Converge: -0.20, Curl: -0.10, Lift: 0.15, Lean: -0.30, Wrap: -0.30, Length: 0.15),
-        Max = new WingFold(Drop: 1.80, Spread: 1.10, Rise: -0.90, Converge: 0.70, Curl: 0.20, Lift: 0.70, Lean: 0.50, Wrap: 0.10, Length: 0.30),
+        Usual = new WingFold(Drop: 1.55, Spread: 0.40, Rise: -1.20, Converge: 0.10, Curl: 0.00, Lift: 0.30, Lean: 0.00, Wrap: -0.20, Length: 0.25) { Hangs = true },
+        Min = new WingFold(Drop: 1.40, Spread: 0.00, Rise: -1.50, Converge: -0.20, Curl: -0.10, Lift: 0.15, Lean: -0.30, Wrap: -0.30, Length: 0.22),
+        Max = new WingFold(Drop: 1.80, Spread: 1.10, Rise: -0.90, Converge: 0.70, Curl: 0.20, Lift: 0.70, Lean: 0.50, Wrap: 0.10, Length: 0.35),
         Closeness = 4,
-        SunkCost = 1000,
+        SunkCost = 3000,
         ProudCost = 120,
-        AsideCost = 400,
+        AsideCost = 200,
         UpperArm = 0.6f,
     };
 
