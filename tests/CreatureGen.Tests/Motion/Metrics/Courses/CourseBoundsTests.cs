@@ -126,6 +126,17 @@ public sealed class CourseBoundsTests
     [InlineData(RequestedKind.Walking, 22400028UL, "runner", 0.025f)]
     public void Feet_stay_where_they_stand_as_their_legs_go_over_them(RequestedKind kind, ulong seed, string script, float slip) => Hold(kind, seed, script, CreatureOptions.Default.Strangeness, 65f, slip);
 
+    /// <summary>A foot that had set off under a body that went came down .037 of a leg from its home as that stood still, and stayed there, at one rate of three.</summary>
+    [Fact(Explicit = true)]
+    public void Feet_come_to_rest_in_the_same_places_at_every_frame_rate()
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(23153321, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        foreach ((MotionCourse course, CourseReport report) in MotionCourse.RunAll(profile))
+        {
+            Assert.False(report.RestingFootSpread > 0.01f, $"{course.Rate}: {report.RestingFootSpread} leg lengths apart");
+        }
+    }
+
     private static void Hold(RequestedKind kind, ulong seed, string script, double strangeness, float radiansPerSecond, float slip)
     {
         var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind, Strangeness = strangeness }));
