@@ -24,6 +24,9 @@ internal sealed record FoldRange(WingFold Usual, WingFold Min, WingFold Max, dou
     /// <summary>What it costs to reach out to the side.</summary>
     public double AsideCost { get; init; }
 
+    /// <summary>What it costs to be low.</summary>
+    public double LowCost { get; init; } = 10;
+
     /// <summary>By which part of what the others are shortened the upper arm is.</summary>
     public float UpperArm { get; init; } = 0.35f;
 
@@ -51,6 +54,7 @@ internal sealed record FoldRange(WingFold Usual, WingFold Min, WingFold Max, dou
         SunkCost = 3000,
         ProudCost = 120,
         AsideCost = 200,
+        LowCost = 300,
         UpperArm = 0.6f,
     };
 

@@ -40,10 +40,9 @@ internal sealed class FoldRoom
     /// <summary>How high wings are to be above the ground, heights of the pelvis.</summary>
     private const double Clearance = 0.45;
 
-    // What it costs to be in a leg, beyond the tail's root, or low, in relation to being off the body.
+    // What it costs to be in a leg, or beyond the tail's root, in relation to being off the body.
     private const double LegCost = 1500;
     private const double OverhangCost = 5;
-    private const double LowCost = 10;
 
     /// <summary>By how much boxes about rods are wider than they have to be, body lengths: more than single precision loses.</summary>
     private const double Slack = 1e-3;
@@ -125,7 +124,7 @@ internal sealed class FoldRoom
         double aside = range.AsideCost > 0 ? Math.Max(0, (point.X / length) - Aside) : 0;
         double low = Math.Max(0, ((Clearance * Height) - (Vec.Dot(up, point) - floor)) / length);
         double proud = range.ProudCost > 0 ? Math.Max(0, (point.Y - flank.Back(point.Z)) / length) : 0;
-        return cost + (range.ProudCost * proud * proud) + (range.MiddleCost * across * across) + (range.AsideCost * aside * aside) + (OverhangCost * beyond * beyond) + (LowCost * low * low);
+        return cost + (range.ProudCost * proud * proud) + (range.MiddleCost * across * across) + (range.AsideCost * aside * aside) + (OverhangCost * beyond * beyond) + (range.LowCost * low * low);
     }
 
     /// <summary>Lays a triangle of a left wing onto the flank: what is folded later lies outside of it.</summary>
