@@ -54,7 +54,7 @@ internal sealed record FoldRange(WingFold Usual, WingFold Min, WingFold Max, dou
         SunkCost = 3000,
         ProudCost = 120,
         AsideCost = 200,
-        LowCost = 300,
+        LowCost = 30,
         UpperArm = 0.6f,
     };
 
