@@ -28,7 +28,7 @@ internal static class HeadFit
     private const double OfAnother = 0.8;
 
     // Thickest neck behind the head of another body against that head, on land and in the air, and most that it gives way: behind a thicker one the head is the end of a log.
-    private const double Neck = 0.76;
+    private const double Neck = 0.79;
     private const double LeastNeck = 0.6;
 
     /// <summary>Smallest head of another body against its trunk, and most that it grows by: a smaller one is a knob without a face.</summary>
@@ -39,7 +39,7 @@ internal static class HeadFit
     private const double NeckOfTrunk = 0.38;
 
     // The same on bodies of fish, snakes and insects, which have no neck of their own.
-    private const double NeckOfNeckless = 0.73;
+    private const double NeckOfNeckless = 0.78;
     private const double LeastOfNeckless = 0.6;
 
     /// <summary>The part of what is too much that the head gives way; the trunk grows by the rest.</summary>

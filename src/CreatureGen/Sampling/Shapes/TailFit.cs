@@ -77,7 +77,7 @@ internal static class TailFit
     private const double RolledLeastFall = 22;
 
     /// <summary>How much more steeply a tail with a sting leaves the rump, degrees, so that it bends over the back: one that ends upright is a mast from behind.</summary>
-    private const double StingDegrees = 36;
+    private const double StingDegrees = 27;
 
     // Least and most that an abdomen comes down, and how far its end bends back out: a level one is a ball from behind, one that turns down at its end looks cut off there.
     private const double LeastAbdomenDegrees = 12;

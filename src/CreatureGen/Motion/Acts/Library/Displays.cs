@@ -33,7 +33,7 @@ internal static class Displays
         new Act("Threaten", ActKind.Display,
             new ActPhase("gather", 1.4f).To(HindDown, 0.12f).To(Ahead, -0.05f).To(Ears, 0.9f),
             new ActPhase("rear", 1.8f, ActEase.Smooth).To(HindDown, 0.2f).To(Pitch, 0.4f).To(ForeFeetUp, 0.3f).To(ForeFeetAhead, 0.3f).To(ForeFeetOut, 0.15f).To(NeckPitch, 0.2f).To(Jaw, 0.8f).To(TailPitch, 0.5f).To(Wings, 0.8f).To(ArmsOut, 0.6f).To(ArmsAhead, 0.6f).To(ArmsBend, 0.5f),
-            new ActPhase("show", 5f).With(new ActWave(ForeFootUp, 0.12f, 3f)).With(new ActWave(Roll, 0.06f, 2f)).With(new ActWave(NeckSide, 0.25f, 2f)).With(new ActWave(HeadSide, 0.15f, 2f, 0.1f)).With(new ActWave(Jaw, 0.2f, 4f, 0.25f)).With(new ActWave(TailSide, 0.5f, 2f, 0.3f)),
+            new ActPhase("show", 5f).With(new ActWave(ForeFootUp, 0.12f, 3f)).With(new ActWave(Roll, 0.06f, 2f)).With(new ActWave(NeckSide, 0.25f, 2f)).With(new ActWave(HeadSide, 0.15f, 2f, 0.1f)).With(new ActWave(TailSide, 0.5f, 2f, 0.3f)),
             new ActPhase("drop", 1.8f).To(Pitch, 0f).To(ForeFeetUp, 0f).To(ForeFeetAhead, 0f).To(ForeFeetOut, 0f).To(HindDown, 0f).To(Jaw, 0f),
             new ActPhase("recover", 1.6f).To(Ahead, 0f).To(NeckPitch, 0f).To(Ears, 0f).To(TailPitch, 0f).To(Wings, 0f).To(ArmsOut, 0f).To(ArmsAhead, 0f).To(ArmsBend, 0f))
             .Needing(ActNeeds.FourLegs).For(BodyBuild.ManyLegged | BodyBuild.Sprawling).OnTheSpot(),
