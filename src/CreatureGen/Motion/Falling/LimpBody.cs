@@ -29,6 +29,9 @@ internal sealed class LimpBody
     private const float NearAbove = 1f;
     private const float FarAbove = 2.5f;
 
+    /// <summary>How far beside its middle a body still has ground under it, sizes.</summary>
+    private const float Beside = 0.15f;
+
     private readonly FallProfile profile;
     private readonly RagdollState ragdoll;
     private readonly PoseBuffer before;
@@ -193,8 +196,7 @@ internal sealed class LimpBody
         Vector3 rest = Rotation.Rotate(rotation, profile.Skeleton.ModelPositions[profile.Ragdoll.FirstJoint]) * scale;
         Vector3 under = joint - rest;
         float size = profile.Ragdoll.Size * scale;
-        float above = CastAbove * size;
-        if (ground.Cast(joint + (up * above), -up, above + (FarAbove * size), out GroundHit hit))
+        if (Find(joint, rotation, up, size, ground, out GroundHit hit))
         {
             // On the ground, to which it comes as the body does from high above; of what swims no lower.
             float lift = Vec.Dot(hit.Point - under, up);
@@ -203,5 +205,23 @@ internal sealed class LimpBody
         }
 
         return new RootPlace(under, rotation, scale);
+    }
+
+    /// <summary>The ground under a body, or beside its middle where that lies over a slit: what lies across one gets up on its rims and not in it.</summary>
+    private static bool Find(Vector3 middle, Quaternion facing, Vector3 up, float size, IGround ground, out GroundHit hit)
+    {
+        float above = CastAbove * size;
+        Vector3 from = middle + (up * above);
+        float distance = above + (FarAbove * size);
+        Vector3 aside = Rotation.Rotate(facing, Vector3.UnitX) * (Beside * size);
+        Vector3 ahead = Rotation.Rotate(facing, Vector3.UnitZ) * (Beside * size);
+        return ground.Cast(from, -up, distance, out hit)
+            || Below(from + aside, out hit)
+            || Below(from - aside, out hit)
+            || Below(from + ahead, out hit)
+            || Below(from - ahead, out hit);
+
+        // A body that falls past an edge has solid ground beside it, whose surface is above.
+        bool Below(Vector3 origin, out GroundHit hit) => ground.Cast(origin, -up, distance, out hit) && Vec.Dot(origin - hit.Point, up) >= 0f;
     }
 }
