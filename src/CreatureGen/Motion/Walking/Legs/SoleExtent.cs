@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using CreatureGen.Anatomy.Legs;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
 using CreatureGen.Skinning;
@@ -126,7 +127,7 @@ internal readonly struct SoleExtent
         }
 
         var tips = new ToeTip.Profile[legs.Length];
-        bool[] flat = Array.ConvertAll(legs, leg => LegGaitParameters.Of(leg.Archetype!.Value).FlatFoot);
+        bool[] creased = Array.ConvertAll(legs, leg => LegGaitParameters.Of(leg.Archetype!.Value).Kind.Outline.End == FootEnd.Toes);
         Rim[] rims = Array.ConvertAll(ahead, _ => new Rim());
         for (int v = 0; v < positions.Length; v++)
         {
@@ -146,9 +147,9 @@ internal readonly struct SoleExtent
 
             bool down = positions[v].Y < surface[leg] + (LayerFraction * Vec.Distance(hip, new Vector3(ball.X, 0f, ball.Z)));
             bool hinder = weights[v].Joint0 == legs[leg].Joints[3];
-            if (down && (firm || !(hinder && flat[leg])) && WeightOf(weights[v], legOf, leg) > Firm)
+            if (down && (firm || !(hinder && creased[leg])) && WeightOf(weights[v], legOf, leg) > Firm)
             {
-                // Skin between its joints is sole as well, but for the crease in which a heel rises from the toes.
+                // Skin between its joints is sole as well, but for the crease in which a heel rises from toes.
                 rims[leg].Widen(ahead[leg], new Vector3(positions[v].X - ball.X, positions[v].Y, positions[v].Z - ball.Z), hinder);
             }
 
