@@ -28,7 +28,7 @@ internal static class HeadFit
     private const double OfAnother = 0.8;
 
     // Thickest neck behind the head of another body against that head, on land and in the air, and most that it gives way: behind a thicker one the head is the end of a log.
-    private const double Neck = 0.79;
+    private const double Neck = 0.82;
     private const double LeastNeck = 0.6;
 
     /// <summary>Smallest head of another body against its trunk, and most that it grows by: a smaller one is a knob without a face.</summary>
