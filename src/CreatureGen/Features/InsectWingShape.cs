@@ -79,8 +79,9 @@ internal static class InsectWingShape
         }
 
         float thickness = 0.004f * scale;
-        AppendLayer(builder, grid, stations, lines, up, thickness, form is null ? BandOfBlade : Band, aspect, membrane, vein);
-        AppendLayer(builder, grid, stations, lines, up, -thickness, form is null ? BandOfBlade : Band, aspect, membrane, vein);
+        int band = form is null ? BandOfBlade : Band;
+        AppendLayer(builder, grid, stations, lines, up, thickness, band, aspect, membrane, vein);
+        AppendLayer(builder, grid, stations, lines, up, -thickness, band, aspect, membrane, vein);
     }
 
     /// <summary>A place of a left wing, off the midline: hind wings would push through one another over the back.</summary>

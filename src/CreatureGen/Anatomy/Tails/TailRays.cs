@@ -1,3 +1,4 @@
+using System;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Anatomy.Tails;
@@ -37,5 +38,5 @@ internal static class TailRays
     /// <param name="size">Size of the fin.</param>
     /// <param name="step">Metres between two rings.</param>
     public static double DrawnInAt(double ring, double around, double size, double step) =>
-        System.Math.Min(Scallop * step, DeepestScallop * size) * Scalar.Smooth((ring - EdgeFirst) / EdgeRings) * Between(ring, around);
+        Math.Min(Scallop * step, DeepestScallop * size) * Scalar.Smooth((ring - EdgeFirst) / EdgeRings) * Between(ring, around);
 }

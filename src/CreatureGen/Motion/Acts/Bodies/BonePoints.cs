@@ -116,16 +116,7 @@ internal sealed class BonePoints
     private static float LevelSquared(Vector3 way) => (way.X * way.X) + (way.Z * way.Z);
 
     /// <summary>Height of the lowest point of a pose above the ground, metres.</summary>
-    public float Lowest(in ActGround ground, in Pose model)
-    {
-        float lowest = float.MaxValue;
-        foreach (SkinPoint point in points)
-        {
-            lowest = Math.Min(lowest, ground.HeightOf(point.PlaceIn(model)));
-        }
-
-        return lowest;
-    }
+    public float Lowest(in ActGround ground, in Pose model) => Lowest(ground, model, out _);
 
     /// <summary>The same, and where that point is, model space.</summary>
     public float Lowest(in ActGround ground, in Pose model, out Vector3 at)

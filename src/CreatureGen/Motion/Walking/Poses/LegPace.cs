@@ -54,12 +54,7 @@ internal sealed class LegPace
 
     /// <summary>Bounds the legs of a pose, and takes it for what is shown. Where no time passes it is as it is.</summary>
     /// <param name="dt">Seconds since the last.</param>
-    /// <param name="local">The pose.</param>
-    public void Bound(float dt, in Pose local) => Bound(dt, default, local);
-
-    /// <summary>Bounds the legs of a pose, and takes it for what is shown. Where no time passes it is as it is.</summary>
-    /// <param name="dt">Seconds since the last.</param>
-    /// <param name="feet">Their feet, which learn how far they lag; none where the pose is not theirs alone.</param>
+    /// <param name="feet">Their feet, which learn how far they lag.</param>
     /// <param name="local">The pose.</param>
     public void Bound(float dt, Span<Foot> feet, in Pose local)
     {
@@ -92,6 +87,9 @@ internal sealed class LegPace
 
         known = true;
     }
+
+    /// <summary>The same where the pose is not that of their feet alone: these learn nothing.</summary>
+    public void Bound(float dt, in Pose local) => Bound(dt, default, local);
 
     /// <summary>Cosine of half the angle by which a joint turns at most; 0 where it may turn by any.</summary>
     private float Least(float dt)
