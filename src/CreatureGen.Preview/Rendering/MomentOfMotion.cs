@@ -13,11 +13,6 @@ namespace CreatureGen.Preview.Rendering;
 /// <summary>The moment of its motion in which a creature has its portrait taken.</summary>
 internal static class MomentOfMotion
 {
-    // Names of ways of going that come before any gait.
-    private const string Flight = "Fly";
-    private const string Stroke = "Swim";
-    private const string Crawl = "Slither";
-
     // Parts of a cycle: a foot is in the air while another stands ahead; a tail is bent to the side, or on its way down with the fins up; the wings are at their highest.
     private const float OfStep = 0.3f;
     private const float OfStrokeAside = 0f;
@@ -29,7 +24,7 @@ internal static class MomentOfMotion
     {
         var profile = new MotionProfile(creature);
         IReadOnlyList<Movement> ways = Movement.OfGoing(profile);
-        Movement? way = ways.FirstOrDefault(one => one.Name is Flight or Stroke or Crawl) ?? ways.FirstOrDefault(one => one.Gait != null);
+        Movement? way = ways.FirstOrDefault(one => one is { Kind: ClipKind.Lasting, Gait: null, Input.Speed: > 0f }) ?? ways.FirstOrDefault(one => one.Gait != null);
         if (way is null)
         {
             return RenderMesh.From(creature);
@@ -37,15 +32,23 @@ internal static class MomentOfMotion
 
         Clip clip = ClipBaker.Bake(profile, way);
         var local = new Pose(new Quaternion[creature.Skeleton.Count], new Vector3[creature.Skeleton.Count]);
-        clip.Sample(PartOf(way, creature.Blueprint.Plan) * clip.Duration, local);
+        clip.Sample(PartOf(way, profile, creature.Blueprint.Plan) * clip.Duration, local);
         (Vector3[] positions, Vector3[] normals) = MovedSkin.Of(creature, RootPlace.Identity, local, RootPlace.Identity);
         return RenderMesh.From(creature, positions, normals);
     }
 
-    private static float PartOf(Movement way, BodyPlan plan) => way.Name switch
+    private static float PartOf(Movement way, MotionProfile profile, BodyPlan plan)
     {
-        Flight => OfBeat,
-        Stroke => plan is BodyPlan.Fish or BodyPlan.Eel ? OfStrokeAside : OfStroke,
-        _ => OfStep,
-    };
+        if (way.Input.Medium == MotionMedium.Air)
+        {
+            return OfBeat;
+        }
+
+        if (profile.Swim == null)
+        {
+            return OfStep;
+        }
+
+        return plan is BodyPlan.Fish or BodyPlan.Eel ? OfStrokeAside : OfStroke;
+    }
 }

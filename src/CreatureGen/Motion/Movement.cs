@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Swimming;
 
@@ -61,6 +62,9 @@ public sealed class Movement
     /// <summary>The name of its gait, such as <c>BipedWalk</c>; <see cref="Name"/> where there is no gait.</summary>
     public string GaitName => Gait?.Name ?? Name;
 
+    /// <summary>Whether it goes on and on through the air or the water.</summary>
+    internal bool IsCruise { get; private init; }
+
     /// <summary>How wide it looks about while it stands, 1 for the usual.</summary>
     internal double Glances { get; private init; } = 1;
 
@@ -102,7 +106,7 @@ public sealed class Movement
 
         if (profile.Flight != null)
         {
-            movements.Add(new Movement("Fly", new MotionInput(profile.Flight.CruiseSpeed, Medium: MotionMedium.Air), null));
+            movements.Add(new Movement("Fly", new MotionInput(profile.Flight.CruiseSpeed, Medium: MotionMedium.Air), null) { IsCruise = true });
             movements.Add(new Movement("Hover", new MotionInput(0f, Medium: MotionMedium.Air), null));
         }
 
@@ -117,7 +121,7 @@ public sealed class Movement
         if (profile.Swim != null)
         {
             float speed = profile.Swim.CruiseSpeed;
-            movements.Add(new Movement("Swim", new MotionInput(speed), null));
+            movements.Add(new Movement("Swim", new MotionInput(speed), null) { IsCruise = true });
             if (profile.Swim.Style is SwimStyle.Carangiform or SwimStyle.Anguilliform)
             {
                 movements.Add(new Movement("CStart", new MotionInput(speed, Escape: EscapeTurn.Left), null, ClipKind.Escape));
@@ -134,6 +138,11 @@ public sealed class Movement
 
         return movements;
     }
+
+    /// <summary>Whether a creature does this: another's gaits need other legs, another's flight wings.</summary>
+    internal bool IsOf(MotionProfile profile) => Act is { } ability
+        ? profile.Acts.Possible.Any(own => own.Act == ability.Act)
+        : Going(profile).Concat(Manoeuvres(profile)).Any(own => own.Name == Name && own.GaitName == GaitName);
 
     /// <summary>What asks nothing of it: it stands, lies or hangs in the water; a flier without legs hovers.</summary>
     private static MotionInput Resting(MotionProfile profile) => new(0f, Medium: profile.Flight != null && profile.Legs == null ? MotionMedium.Air : MotionMedium.Ground);

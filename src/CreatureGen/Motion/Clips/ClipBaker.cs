@@ -88,10 +88,17 @@ public static class ClipBaker
     /// <param name="profile">Of the creature.</param>
     /// <param name="movement">One of its own.</param>
     /// <exception cref="ArgumentNullException">There is no profile or no movement.</exception>
+    /// <exception cref="ArgumentException">The creature does not do that; the message lists its ways of going.</exception>
     public static Clip Bake(MotionProfile profile, Movement movement)
     {
         _ = profile ?? throw new ArgumentNullException(nameof(profile));
         _ = movement ?? throw new ArgumentNullException(nameof(movement));
+        if (!movement.IsOf(profile))
+        {
+            string own = string.Join(", ", Movement.OfGoing(profile).Select(one => one.Name));
+            throw new ArgumentException(FormattableString.Invariant($"the creature does not do \"{movement.GaitName}\"; it goes by {own}, and acts as its acts list"), nameof(movement));
+        }
+
         if (movement.Act is { } ability)
         {
             return RecordedAct.Bake(profile, ability);

@@ -56,7 +56,7 @@ internal static class Passages
 
         foreach (Movement movement in Movement.OfGoing(profile))
         {
-            if (movement.Name is "Fly" or "Swim")
+            if (movement.IsCruise)
             {
                 yield return Recipe("Dart", rate => Dart(profile, movement, rate));
             }

@@ -116,6 +116,26 @@ public sealed class ClipBakerTests
         }
     }
 
+    [Theory]
+    [InlineData("feline", RequestedKind.Walking, "ant", RequestedKind.Walking, "Tripod")]
+    [InlineData("feline", RequestedKind.Walking, "shark", RequestedKind.Swimming, "Swim")]
+    [InlineData("shark", RequestedKind.Swimming, "feline", RequestedKind.Walking, "Walk")]
+    [InlineData("shark", RequestedKind.Swimming, "feline", RequestedKind.Walking, "Kick")]
+    public void What_only_another_creature_does_is_refused_by_name(string body, RequestedKind kind, string otherBody, RequestedKind otherKind, string name)
+    {
+        var profile = new MotionProfile(SpeciesSubject.Of(body, kind));
+        Movement foreign = Movement.Of(new MotionProfile(SpeciesSubject.Of(otherBody, otherKind))).First(movement => movement.Name == name);
+        Assert.Contains($"\"{name}\"", Assert.Throws<ArgumentException>(() => ClipBaker.Bake(profile, foreign)).Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void A_movement_at_another_speed_is_still_the_creatures_own()
+    {
+        var profile = new MotionProfile(SpeciesSubject.Of("feline", RequestedKind.Walking));
+        Movement walk = Movement.OfGoing(profile).First(movement => movement.Name == "Walk");
+        Assert.True(ClipBaker.Bake(profile, walk.At(0.6f * walk.Input.Speed)).Speed < ClipBaker.Bake(profile, walk).Speed);
+    }
+
     [Fact]
     public void One_movement_alone_is_baked_to_the_bit_as_it_is_among_all()
     {

@@ -57,11 +57,10 @@ internal static class FootRelease
         float slides = foot.Leg.Residual - foot.Plan.Missed;
         foot.Plan.Reached = reached;
         foot.Plan.Missed = foot.Leg.Residual;
-        bool misses = slides > 0f && foot.Leg.Residual + slides > MaxMiss * leg.Length;
+        bool torn = slides > 0f && foot.Leg.Residual + slides > MaxMiss * leg.Length;
         Vector3 change = Change(foot, step, onward, place);
         Vector3 then = chord + lowered + change;
-        bool leaves = late && step.Ground is not IPlaneGround;
-        if (misses || (HipMayEnd(leg, then) ? Missing(foot, body, leg, step, then) : leaves || Math.Abs(change.X) > MaxMiss * leg.Length ? Straying(foot, body, leg, step, then) : 0f) > MaxMiss * leg.Length)
+        if (torn || WillMiss(foot, body, leg, step, then, change, late) > MaxMiss * leg.Length)
         {
             return true;
         }
@@ -69,6 +68,18 @@ internal static class FootRelease
         float drop = LegRoom.Asked(leg, chord, Vec.Length(chord)) / leg.Length;
         return drop > (late ? LateDrop : MaxDrop)
             || (grows && ((!late && drop > MaxGrowingDrop) || reached > Math.Max(leg.Lateral ? LateralStretch : MaxStretch, leg.RestStretch + BeyondRest) * leg.Reach));
+    }
+
+    /// <summary>How far a foot will be off its place when it is decided on again, metres.</summary>
+    private static float WillMiss(in Foot foot, LeggedBody body, LegRig leg, in StepContext step, Vector3 chord, Vector3 change, bool late)
+    {
+        if (HipMayEnd(leg, chord))
+        {
+            return Missing(foot, body, leg, step, chord);
+        }
+
+        bool leaves = late && step.Ground is not IPlaneGround;
+        return leaves || Math.Abs(change.X) > MaxMiss * leg.Length ? Straying(foot, body, leg, step, chord) : 0f;
     }
 
     /// <summary>By how much the chord will change until the foot is decided on again, or leaves the ground by itself: as it did, or where that is not known, by how the body goes on.</summary>
