@@ -1,4 +1,5 @@
 using System.Numerics;
+using System.Runtime.CompilerServices;
 
 namespace CreatureGen.Maths;
 
@@ -13,6 +14,7 @@ internal static class AxisRotation
     }
 
     /// <summary>About Y. Positive turns the front to the left, and sweeps what lies out to the left backward.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quaternion Yaw(double angle)
     {
         FastTrigonometry.SinCos((float)(0.5 * angle), out float sine, out float cosine);
@@ -27,6 +29,7 @@ internal static class AxisRotation
     }
 
     /// <summary>First about Z, then about X, then about Y.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quaternion YawPitchRoll(float yaw, float pitch, float roll)
     {
         FastTrigonometry.SinCos(0.5f * yaw, out float sy, out float cy);
@@ -40,6 +43,7 @@ internal static class AxisRotation
     }
 
     /// <summary>About any unit axis.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quaternion About(Vector3 axis, float angle)
     {
         FastTrigonometry.SinCos(0.5f * angle, out float sine, out float cosine);

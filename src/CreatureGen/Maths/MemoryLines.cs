@@ -12,6 +12,14 @@ internal static class MemoryLines
     /// <summary>Whole numbers in a line.</summary>
     private const int Numbers = 16;
 
+    /// <summary>Whether to ask for them is worth while: not in browsers, where each number that is read is an operation of its own.</summary>
+    public static bool Pay =>
+#if NET
+        !OperatingSystem.IsBrowser();
+#else
+        true;
+#endif
+
     /// <summary>Reads a number of each line that a list lies in: all are asked for at once, and none waits for another.</summary>
     /// <param name="list">The list.</param>
     /// <param name="count">How long it is, at most, as is known without it; no bounds are checked. Asked itself, it would have to come from memory before it is known how often the loop goes round, and so would the next one.</param>

@@ -151,6 +151,7 @@ public static class Rotation
 
     private static Quaternion Blend(Quaternion a, double u, Quaternion b, double v) => Unit((a.X * u) + (b.X * v), (a.Y * u) + (b.Y * v), (a.Z * u) + (b.Z * v), (a.W * u) + (b.W * v));
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Quaternion Unit(double x, double y, double z, double w)
     {
         double length = Math.Sqrt((x * x) + (y * y) + (z * z) + (w * w));

@@ -12,7 +12,7 @@ namespace CreatureGen.Maths;
 /// </summary>
 /// <remarks>
 /// Rearranging, changing signs, multiplying and adding lane by lane are exact or rounded once, in hardware and in the runtime's substitute for it. Each lane does what the written-out form of its component does, in its
-/// order; a − b is a + (−b). So the bits are the same.
+/// order; a − b is a + (−b). So the bits are the same. A number is put into all lanes before it is multiplied with: the operators that take a number are calls in browsers, a dozen times as dear.
 /// </remarks>
 internal static class SimdKernels
 {
@@ -69,9 +69,17 @@ internal static class SimdKernels
         return Vector128.ConditionalSelect(Vector128.LessThan(b, a), a, b).AsVector3();
     }
 
+    /// <summary>All components of a vector times a number.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3 Scale(Vector3 v, float factor) => (v.AsVector128Unsafe() * Vector128.Create(factor)).AsVector3();
+
+    /// <summary>All components of a vector over a number.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3 Divide(Vector3 v, float divisor) => (v.AsVector128Unsafe() / Vector128.Create(divisor)).AsVector3();
+
     /// <summary>All components of a quaternion times a number.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Quaternion Scale(Quaternion q, float factor) => (q.AsVector128() * factor).AsQuaternion();
+    public static Quaternion Scale(Quaternion q, float factor) => (q.AsVector128() * Vector128.Create(factor)).AsQuaternion();
 
     /// <summary>The sum of the products of all components, x first.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -83,7 +91,7 @@ internal static class SimdKernels
 
     /// <summary>a·u + b·v, component by component.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Quaternion Mix(Quaternion a, float u, Quaternion b, float v) => ((a.AsVector128() * u) + (b.AsVector128() * v)).AsQuaternion();
+    public static Quaternion Mix(Quaternion a, float u, Quaternion b, float v) => ((a.AsVector128() * Vector128.Create(u)) + (b.AsVector128() * Vector128.Create(v))).AsQuaternion();
 
     /// <summary>A vector turned by a quaternion; twice is 2 over its squared length.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -93,7 +101,7 @@ internal static class SimdKernels
         Vector128<float> v = vector.AsVector128Unsafe();
         Vector128<float> next = Next(q);
         Vector128<float> last = Last(q);
-        Vector128<float> t = ((next * Last(v)) - (last * Next(v))) * twice;
+        Vector128<float> t = ((next * Last(v)) - (last * Next(v))) * Vector128.Create(twice);
         return (v + (Vector128.Shuffle(q, Vector128.Create(3, 3, 3, 3)) * t) + ((next * Last(t)) - (last * Next(t)))).AsVector3();
     }
 
@@ -141,6 +149,14 @@ internal static class SimdKernels
     /// <summary>The larger of each component; the second where neither is.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3 Max(Vector3 a, Vector3 b) => new(a.X > b.X ? a.X : b.X, a.Y > b.Y ? a.Y : b.Y, a.Z > b.Z ? a.Z : b.Z);
+
+    /// <summary>All components of a vector times a number.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3 Scale(Vector3 v, float factor) => v * factor;
+
+    /// <summary>All components of a vector over a number.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3 Divide(Vector3 v, float divisor) => v / divisor;
 
     /// <summary>All components of a quaternion times a number.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -62,13 +62,13 @@ internal static class UnitRotation
         Quaternion roll;
         if (length + cosine > NearlyOpposite * length)
         {
-            roll = new Quaternion(to * sine, length + cosine);
+            roll = new Quaternion(Vec.Scale(to, sine), length + cosine);
         }
         else
         {
             double inverse = 1.0 / length;
             HalfAngle.Of(cosine * inverse, sine * inverse, out double c, out double s);
-            roll = new Quaternion(to * (float)s, (float)c);
+            roll = new Quaternion(Vec.Scale(to, (float)s), (float)c);
         }
 
         Quaternion turn = Rotation.Multiply(roll, swing);
@@ -84,6 +84,7 @@ internal static class UnitRotation
     }
 
     /// <summary>What a rotation makes of +Y, the direction of a bone in its own space.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3 BoneAxis(Quaternion q) => new(2f * ((q.X * q.Y) - (q.W * q.Z)), 1f - (2f * ((q.X * q.X) + (q.Z * q.Z))), 2f * ((q.Y * q.Z) + (q.W * q.X)));
 
     /// <summary>One step of Newton's towards unit length: what a few products lose. Quaternions far from it are brought there wholly.</summary>

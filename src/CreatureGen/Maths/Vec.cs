@@ -25,6 +25,14 @@ internal static class Vec
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3 Cross(Vector3 a, Vector3 b) => SimdKernels.Cross(a, b);
 
+    /// <summary><paramref name="a"/> times a number: what its operator gives, and in browsers much sooner.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3 Scale(Vector3 a, float factor) => SimdKernels.Scale(a, factor);
+
+    /// <summary><paramref name="a"/> over a number, in the same way.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3 Divide(Vector3 a, float divisor) => SimdKernels.Divide(a, divisor);
+
     /// <summary>Squared Euclidean length.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static float LengthSquared(Vector3 a) => Dot(a, a);
@@ -41,16 +49,16 @@ internal static class Vec
     public static Vector3 Normalize(Vector3 a, Vector3 fallback)
     {
         float length = Length(a);
-        return length > Tolerance.DirectionLength ? a / length : fallback;
+        return length > Tolerance.DirectionLength ? Divide(a, length) : fallback;
     }
 
     /// <summary>The unit vector along <paramref name="a"/>; <paramref name="a"/> must not be zero.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3 Normalize(Vector3 a) => a / Length(a);
+    public static Vector3 Normalize(Vector3 a) => Divide(a, Length(a));
 
     /// <summary>The point at <paramref name="t"/> of the way from <paramref name="a"/> to <paramref name="b"/>.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3 Lerp(Vector3 a, Vector3 b, float t) => a + ((b - a) * t);
+    public static Vector3 Lerp(Vector3 a, Vector3 b, float t) => a + Scale(b - a, t);
 
     /// <summary>The point on the other side of the sagittal plane x = 0.</summary>
     public static Vector3 Mirror(Vector3 a) => new(-a.X, a.Y, a.Z);
@@ -68,7 +76,7 @@ internal static class Vec
 
     /// <summary><paramref name="a"/> without its component along the unit vector <paramref name="axis"/>.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3 Reject(Vector3 a, Vector3 axis) => a - (axis * Dot(a, axis));
+    public static Vector3 Reject(Vector3 a, Vector3 axis) => a - Scale(axis, Dot(a, axis));
 
     /// <summary>Rotates <paramref name="a"/> about the unit vector <paramref name="axis"/> by <paramref name="angle"/> radians (Rodrigues).</summary>
     public static Vector3 Rotate(Vector3 a, Vector3 axis, double angle)

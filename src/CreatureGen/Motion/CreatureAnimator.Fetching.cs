@@ -18,9 +18,9 @@ public sealed partial class CreatureAnimator
     /// </summary>
     private void Fetch()
     {
-        if (settings.Detail == MotionDetail.Far)
+        if (!MemoryLines.Pay || settings.Detail == MotionDetail.Far)
         {
-            // It goes through its lists from end to end and does little else.
+            // What is far goes through its lists from end to end and does little else.
             return;
         }
 

@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 
 namespace CreatureGen.Rigging;
 
@@ -12,6 +13,7 @@ public readonly ref struct Pose
     /// <summary>Lays a pose over two spans.</summary>
     /// <exception cref="ArgumentException">The spans differ in length.</exception>
     /// <remarks>The error is made elsewhere, so that this is inlined: poses are laid over arrays several times in a frame.</remarks>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Pose(Span<Quaternion> rotations, Span<Vector3> positions)
     {
         if (rotations.Length != positions.Length)
@@ -39,6 +41,7 @@ public readonly ref struct Pose
     }
 
     /// <summary>Throws unless the pose has one entry per joint of the skeleton.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal void Require(Skeleton skeleton)
     {
         if (Rotations.Length != skeleton.Count)

@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Motion;
@@ -38,10 +39,12 @@ public readonly struct RootPlace
     public float Scale { get; }
 
     /// <summary>A point of the model in the world.</summary>
-    public Vector3 ToWorld(Vector3 model) => Position + (Maths.Rotation.Rotate(Rotation, model) * Scale);
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Vector3 ToWorld(Vector3 model) => Position + Vec.Scale(Maths.Rotation.Rotate(Rotation, model), Scale);
 
     /// <summary>A point of the world in the model.</summary>
-    public Vector3 ToModel(Vector3 world) => Maths.Rotation.Rotate(Maths.Rotation.Inverse(Rotation), world - Position) / Scale;
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Vector3 ToModel(Vector3 world) => Vec.Divide(Maths.Rotation.Rotate(Maths.Rotation.Inverse(Rotation), world - Position), Scale);
 
     /// <summary>Whether a constructor made it.</summary>
     internal bool IsMade => Scale > 0f;

@@ -117,7 +117,7 @@ public static class SpringBones
             int joint = joints[i].Joint;
             bone.PastPosition = bone.NowPosition;
             bone.PastAlong = bone.NowAlong;
-            Vector3 p = Rotation.Rotate(root.Rotation, model.Positions[joint]) * root.Scale;
+            Vector3 p = Vec.Scale(Rotation.Rotate(root.Rotation, model.Positions[joint]), root.Scale);
             Vector3 own = joints[i].Direction;
             Vector3 inModel = own == Vector3.UnitY ? UnitRotation.BoneAxis(model.Rotations[joint]) : Rotation.Rotate(model.Rotations[joint], own);
             Vector3 along = Rotation.Rotate(root.Rotation, inModel);
@@ -244,7 +244,7 @@ public static class SpringBones
         float width = length * state.Width;
         ref SpringBone bone = ref state.Bones[index];
         float radius = bone.Radius * scale;
-        Vector3 push = state.Gravity * (Substep * bone.GravityFraction);
+        Vector3 push = Vec.Scale(state.Gravity, Substep * bone.GravityFraction);
         DampedSpring step = bone.Step;
         for (int k = 0; k < fractions.Length; k++)
         {
@@ -254,19 +254,19 @@ public static class SpringBones
             moment.Animated = Vec.Lerp(bone.PastPosition, bone.NowPosition, fraction);
             Quaternion carried = Carried(ref moment, moments, (parent * stride) + k, settings.Inherit, out float squared);
             Vector3 along = SimdKernels.RotateByAny(carried, squared, animated);
-            Vector3 tail = along * length;
+            Vector3 tail = Vec.Scale(along, length);
             Vector3 goal = moment.Place + tail;
-            Vector3 goalVelocity = (goal - bone.Goal) * PerSecond;
+            Vector3 goalVelocity = Vec.Scale(goal - bone.Goal, PerSecond);
             Vector3 offset = bone.Offset;
             Vector3 velocity = Driven(bone, goalVelocity, push, width);
             velocity = bone.Slowed < 1f ? Blown(velocity, goalVelocity, settings.Wind, bone.Slowed) : velocity;
-            Vector3 free = (offset * step.PlaceOfPlace) + (velocity * step.PlaceOfVelocity);
-            velocity = (offset * step.VelocityOfPlace) + (velocity * step.VelocityOfVelocity);
+            Vector3 free = Vec.Scale(offset, step.PlaceOfPlace) + Vec.Scale(velocity, step.PlaceOfVelocity);
+            velocity = Vec.Scale(offset, step.VelocityOfPlace) + Vec.Scale(velocity, step.VelocityOfVelocity);
             Vector3 direction = InCone(Vec.Normalize(tail + free, along), along, state.SwingCosine, state.SwingSine);
             direction = Outside(colliders, moment.Place, direction, length, radius);
-            Vector3 held = (direction * length) - tail;
+            Vector3 held = Vec.Scale(direction, length) - tail;
             bone.Offset = held;
-            bone.Velocity = velocity + ((held - free) * PerSecond);
+            bone.Velocity = velocity + Vec.Scale(held - free, PerSecond);
             bone.GoalVelocity = goalVelocity;
             bone.Goal = goal;
             moment.Deviation = Turned(carried, squared, along, direction);
@@ -283,16 +283,16 @@ public static class SpringBones
         moment.Animated = bone.NowPosition;
         Quaternion carried = Carried(ref moment, moments, (joint.Parent * stride) + stride - 1, settings.Inherit, out float squared);
         Vector3 along = SimdKernels.RotateByAny(carried, squared, bone.NowAlong);
-        Vector3 tail = along * length;
+        Vector3 tail = Vec.Scale(along, length);
         bone.Shown = moment.Place + tail;
         float fraction = state.Debt / Substep;
         Vector3 goalVelocity = fraction > MinFraction ? (bone.Shown - bone.Goal) / state.Debt : bone.GoalVelocity;
-        Vector3 velocity = Driven(bone, goalVelocity, state.Gravity * (Substep * bone.GravityFraction), length * state.Width);
+        Vector3 velocity = Driven(bone, goalVelocity, Vec.Scale(state.Gravity, Substep * bone.GravityFraction), length * state.Width);
         velocity = bone.Slowed < 1f ? Blown(velocity, goalVelocity, settings.Wind, bone.Slowed) : velocity;
-        Vector3 free = Vec.Lerp(bone.Offset, (bone.Offset * bone.Step.PlaceOfPlace) + (velocity * bone.Step.PlaceOfVelocity), fraction);
+        Vector3 free = Vec.Lerp(bone.Offset, Vec.Scale(bone.Offset, bone.Step.PlaceOfPlace) + Vec.Scale(velocity, bone.Step.PlaceOfVelocity), fraction);
         Vector3 direction = InCone(Vec.Normalize(tail + free, along), along, state.SwingCosine, state.SwingSine);
         direction = Outside(colliders, moment.Place, direction, length, bone.Radius * scale);
-        bone.OffsetShown = (direction * length) - tail;
+        bone.OffsetShown = Vec.Scale(direction, length) - tail;
         moment.Deviation = Turned(carried, squared, along, direction);
     }
 
@@ -360,7 +360,7 @@ public static class SpringBones
 
         float max = bone.Liveliness * Math.Max((width * width) - Vec.LengthSquared(bone.Offset), 0f);
         float squared = Vec.LengthSquared(velocity);
-        return squared > max ? velocity * MathF.Sqrt(max / squared) : velocity;
+        return squared > max ? Vec.Scale(velocity, MathF.Sqrt(max / squared)) : velocity;
     }
 
     /// <summary>Velocity relative to the goal after the air has taken its part of a substep.</summary>
@@ -380,7 +380,7 @@ public static class SpringBones
         }
 
         Vector3 across = Vec.Normalize(Vec.Reject(direction, axis), Vec.Perpendicular(axis));
-        return (axis * cosine) + (across * sine);
+        return Vec.Scale(axis, cosine) + Vec.Scale(across, sine);
     }
 
     /// <summary>A direction of a bone that brings it out of all colliders.</summary>
@@ -392,7 +392,7 @@ public static class SpringBones
             return direction;
         }
 
-        Vector3 bone = direction * length;
+        Vector3 bone = Vec.Scale(direction, length);
         return colliders.Length == 1 && colliders[0].Clears(place, bone, radius) ? direction : TurnOut(colliders, place, bone, length, radius);
     }
 

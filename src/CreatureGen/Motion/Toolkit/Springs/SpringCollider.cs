@@ -1,4 +1,5 @@
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit.Springs;
 using CreatureGen.Rigging;
@@ -66,6 +67,7 @@ public readonly struct SpringCollider
     }
 
     /// <summary>Whether a bone's tip is certainly out of the collider as it is: told of planes only.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal bool Clears(Vector3 place, Vector3 bone, float radius) => Kind == SpringColliderKind.Plane && Vec.Dot((place - Start) + bone, End) >= radius;
 
     /// <summary>A bone turned about its joint until all of it, a capsule of a radius, is out of the collider, as far as a bone of its length can be; all in one space.</summary>

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Anatomy;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Walking.Legs;
@@ -244,6 +245,7 @@ internal sealed class LeggedBody
     public IdleRhythm Idle { get; }
 
     /// <summary>How far a foot pitches, toes down, that rests on its tip while the body stands with its weight on the other one of its pair, radians: the right one of the hindmost of two and more pairs; 0 of all others.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public float RestPitch(int leg) => Rows > 1 && Legs[leg].Row == 0 && Legs[leg].Side == Side.Right ? Legs[leg].Traits.RestPitch : 0f;
 
     /// <summary>The share of the usual shift of its weight that it makes as it stands, 0..1: found once, before the body is in use.</summary>

@@ -48,6 +48,7 @@ internal sealed class RestRotations
     }
 
     /// <summary>Slides a joint away from rest.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Slide(in Pose local, int joint, Vector3 slide) =>
         local.Positions[joint] = skeleton.LocalPositions[joint] + Rotation.Rotate(frames[joint].Before, slide);
 

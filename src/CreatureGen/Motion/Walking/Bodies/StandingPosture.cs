@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Anatomy;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
@@ -62,6 +63,7 @@ internal sealed class StandingPosture
     public float TailSteadiness { get; }
 
     /// <summary>How far a joint of the neck, or the head, nods to keep the head level, radians; the joints are counted from the chest.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public float Nod(int joint) => joint < nods.Length ? nods[joint] : 0f;
 
     /// <summary>The posture of a creature.</summary>

@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 
 namespace CreatureGen.Motion.Walking.Footsteps;
 
@@ -24,13 +25,21 @@ internal struct Foot
     public readonly float Stance => Plan.Stance;
 
     /// <summary>Load: 0 in the air, about 1 in the middle of stance.</summary>
-    public readonly float Load => Path.Posture.Shown.Load;
+    public readonly float Load
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => Path.Posture.Shown.Load;
+    }
 
     /// <inheritdoc cref="FootPath.Taken"/>
     public readonly float Taken => Path.Taken;
 
     /// <summary>How high the ground under its sole is in the mean above that, not above 0: where it stands, or on its way from there to where it will; metres of the model.</summary>
-    public readonly float Below => Phase == FootPhase.Stance ? Plan.From.Below : Plan.From.Below + ((Plan.To.Below - Plan.From.Below) * Swing);
+    public readonly float Below
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => Phase == FootPhase.Stance ? Plan.From.Below : Plan.From.Below + ((Plan.To.Below - Plan.From.Below) * Swing);
+    }
 
     /// <summary>What users see of it.</summary>
     /// <param name="joint">Joint of its ball.</param>

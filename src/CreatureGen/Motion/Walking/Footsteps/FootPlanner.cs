@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Events;
 using CreatureGen.Motion.Modes;
@@ -215,6 +216,7 @@ internal sealed partial class FootPlanner
     }
 
     /// <summary>Whether the gait has taken back the swing of a foot that has just left the ground: its stances have become longer. Put down at once it would be thrown to its next place; it takes a step of its own.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static bool TakenBack(in Foot foot, float p, float duty) => foot.Plan.Phase == FootPhase.Swing && foot.Plan.Swing < 0.5f && p < duty && p > 0.5f * duty;
 
     private void Correct(int leg, in StepContext step, float p, float duty, float cycle)

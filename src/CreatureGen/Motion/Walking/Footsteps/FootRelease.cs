@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Modes;
 using CreatureGen.Motion.Walking.Bodies;
@@ -101,6 +102,7 @@ internal static class FootRelease
     /// <param name="foot">The foot, as it has been posed.</param>
     /// <param name="leg">Its leg.</param>
     /// <param name="seconds">Since the last pose.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool IsTorn(in Foot foot, LegRig leg, float seconds) =>
         seconds > 0f && foot.Phase == FootPhase.Stance && foot.Leg.Residual - foot.Plan.Missed > MaxMiss * leg.Length;
 

@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Motion.Walking.Legs;
@@ -51,6 +52,7 @@ internal struct LegRoom
     }
 
     /// <summary>How much a leg counts, 0..1: less as it leaves the ground, more as it comes down, and not where an act has taken it.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static float Weight(LegRig leg, in Foot foot) => Math.Max(Arrival(leg, foot), Leaving(foot)) * (1f - foot.Taken);
 
     /// <summary>Adds what a leg asks that counts.</summary>
@@ -121,17 +123,21 @@ internal struct LegRoom
     /// <param name="leg">The leg.</param>
     /// <param name="chord">From its hip to what it reaches for, the body not lowered yet.</param>
     /// <param name="distance">Length of that.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static float Asked(LegRig leg, Vector3 chord, float distance) => Beyond(distance - (MaxStretch * leg.Reach), Width * leg.Reach) / Steepness(chord, distance);
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static float Steepness(Vector3 chord, float distance) => Math.Max(-chord.Y / Math.Max(distance, 1e-6f), 0.35f);
 
     /// <summary>How far a girdle comes down: what a folded leg asks for comes before what a stretched one does.</summary>
     private static float Net(float drop, float rise) => Math.Max(drop - (2f * rise), -rise);
 
     /// <summary>How much a leg counts that leaves the ground, 0..1: less and less.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static float Leaving(in Foot foot) => foot.Phase == FootPhase.Stance ? 1f : 1f - Scalar.Smooth(foot.Swing / LettingGo);
 
     /// <summary>How much one counts that comes down, 0..1: more and more.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static float Arrival(LegRig leg, in Foot foot)
     {
         float from = leg.Lateral ? LateralArriving : Arriving;
@@ -139,9 +145,11 @@ internal struct LegRoom
     }
 
     /// <summary>How much a standing leg holds the body down, 0..1: it may stretch as its foot rolls off.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static float Standing(in Foot foot) => 1f - Scalar.Smooth((foot.Stance - RollsOff) / (1f - RollsOff));
 
     /// <summary>What an excess comes to: softened, so that the body does not jerk as a leg comes to its end.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static float Beyond(float excess, float width)
     {
         if (excess < -4f * width)
@@ -172,6 +180,7 @@ internal struct LegRoom
         /// <summary>How far it comes up: no farther than the others reach.</summary>
         public readonly float Rise => Math.Min(raise, room);
 
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public void Add(float drop, float raise, float room)
         {
             Drop = Math.Max(Drop, drop);

@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
 
@@ -26,6 +27,7 @@ internal readonly struct FoldLimit
     /// <param name="sine">Of the angle.</param>
     /// <param name="tolerance">How far from that end it may stay, as the chord of the difference on the unit circle.</param>
     /// <returns>The chord by which it was beyond; 0 for none.</returns>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public float Clamp(ref double cosine, ref double sine, float tolerance)
     {
         bool beyond = (sine < 0 && cosine < minCosine) || (sine > 0 && cosine < maxCosine);

@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Motion.Walking.Legs;
@@ -7,6 +8,7 @@ namespace CreatureGen.Motion.Walking.Legs;
 /// <param name="Pitch">Radians, toes down.</param>
 /// <param name="Fold">Of the metatarsus beyond its link to the thigh, radians.</param>
 /// <param name="Load">0 in the air, about 1 in the middle of stance.</param>
+[method: MethodImpl(MethodImplOptions.AggressiveInlining)]
 internal readonly record struct FootPosture(float Pitch, float Fold, float Load)
 {
     private const float MaxLoad = 1.2f;

@@ -1,4 +1,5 @@
 using System.Numerics;
+using System.Runtime.CompilerServices;
 
 namespace CreatureGen.Motion.Walking.Legs;
 
@@ -7,4 +8,5 @@ namespace CreatureGen.Motion.Walking.Legs;
 /// <param name="Heading">Of the foot.</param>
 /// <param name="Slack">0..1: how early the reach is eased.</param>
 /// <param name="Tolerance">How far hip and knee may stay beyond their limits, about half the angle in radians.</param>
+[method: MethodImpl(MethodImplOptions.AggressiveInlining)]
 internal readonly record struct LegGoal(Vector3 Chord, Quaternion Heading, float Slack, float Tolerance);

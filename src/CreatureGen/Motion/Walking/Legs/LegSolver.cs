@@ -263,11 +263,11 @@ internal static class LegSolver
             // With the foot as far as its ankle asks, with the pelvis and the way of the body for the rest.
             float share = leg.Limits.FootShare;
             float rest = (1f - share) / (1f - LegLimits.LeastFootShare);
-            return (carried * rest) + (Rotation.Rotate(heading, leg.Hinge) * (2f * share)) + (leg.Hinge * (0.5f * rest));
+            return Vec.Scale(carried, rest) + Vec.Scale(Rotation.Rotate(heading, leg.Hinge), 2f * share) + Vec.Scale(leg.Hinge, 0.5f * rest);
         }
 
         // The leg's plane stands upright through hip and ankle; the share of the body's own axis keeps it when the foot is nearly below the hip.
-        Vector3 across = Vec.Cross(chord, Rotation.Rotate(carrier, Vector3.UnitY)) * (leg.AcrossSign / Math.Max(Vec.Length(chord), 1e-6f));
-        return across + Rotation.Rotate(carrier, leg.Skew * Vec.Length(across)) + (carried * BodyFraction);
+        Vector3 across = Vec.Scale(Vec.Cross(chord, Rotation.Rotate(carrier, Vector3.UnitY)), leg.AcrossSign / Math.Max(Vec.Length(chord), 1e-6f));
+        return across + Rotation.Rotate(carrier, Vec.Scale(leg.Skew, Vec.Length(across))) + Vec.Scale(carried, BodyFraction);
     }
 }

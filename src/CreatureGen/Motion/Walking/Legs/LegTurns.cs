@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
 
@@ -14,6 +15,7 @@ internal struct LegTurns
     public Quaternion Ball;
 
     /// <summary>Those of a pose.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static LegTurns Of(LegRig leg, in Pose local) => new()
     {
         Hip = local.Rotations[leg.Hip],
@@ -23,6 +25,7 @@ internal struct LegTurns
     };
 
     /// <summary>Cosine of half the angle by which that joint turns from these to others that turns farthest.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly float CosineTo(in LegTurns other) => Math.Min(
         Math.Min(Math.Abs(SimdKernels.Dot(Hip, other.Hip)), Math.Abs(SimdKernels.Dot(Knee, other.Knee))),
         Math.Min(Math.Abs(SimdKernels.Dot(Ankle, other.Ankle)), Math.Abs(SimdKernels.Dot(Ball, other.Ball))));

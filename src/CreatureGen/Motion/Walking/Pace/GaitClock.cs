@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Gaits;
 using CreatureGen.Motion.Toolkit.Steps;
@@ -107,7 +108,11 @@ internal sealed class GaitClock
     public float Frequency { get; private set; }
 
     /// <summary>Seconds of a cycle, 10 at most.</summary>
-    public float Cycle => 1f / Math.Max(Frequency, SlowestShown);
+    public float Cycle
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => 1f / Math.Max(Frequency, SlowestShown);
+    }
 
     /// <summary>Seconds of a swing.</summary>
     public float Swing => (1f - Duty) * Cycle;
@@ -133,6 +138,7 @@ internal sealed class GaitClock
     public ReadOnlySpan<float> Lags => lags;
 
     /// <summary>A leg's place in its own cycle, 0..1: stance up to the duty, then swing.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public float LegPhase(int leg) => StepPhase.Place((float)Phase, lags[leg]);
 
     /// <summary>Takes over the place and the numbers of another.</summary>

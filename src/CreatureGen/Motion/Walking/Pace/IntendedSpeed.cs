@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Motion.Walking.Pace;
@@ -33,7 +34,11 @@ internal struct IntendedSpeed
     public static IntendedSpeed At(float speed) => new() { intention = speed, Speed = speed, Goal = speed };
 
     /// <summary>Whether nothing changes.</summary>
-    public readonly bool IsSteady => Speed == Goal && intention == Goal;
+    public readonly bool IsSteady
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => Speed == Goal && intention == Goal;
+    }
 
     /// <summary>Change of the speed per second.</summary>
     /// <param name="bounds">By which it goes.</param>
@@ -49,13 +54,11 @@ internal struct IntendedSpeed
     /// <param name="dt">Seconds.</param>
     /// <param name="bounds">How quickly it may change.</param>
     /// <returns>Its mean meanwhile.</returns>
-    public float Advance(float dt, in SpeedBounds bounds)
-    {
-        if (IsSteady || !(dt > 0f))
-        {
-            return Speed;
-        }
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public float Advance(float dt, in SpeedBounds bounds) => IsSteady || !(dt > 0f) ? Speed : GoOver(dt, bounds);
 
+    private float GoOver(float dt, in SpeedBounds bounds)
+    {
         float way = 0f;
         float left = dt;
         while (left > 0f && intention != Goal)

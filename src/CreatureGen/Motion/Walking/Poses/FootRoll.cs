@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Anatomy.Legs;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Walking.Footsteps;
@@ -139,6 +140,7 @@ internal static class FootRoll
     }
 
     /// <summary>Pitch of the toes of a flat foot, whose heel rises about the ball first.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static float ToePitch(float pitch)
     {
         if (pitch <= 0f)

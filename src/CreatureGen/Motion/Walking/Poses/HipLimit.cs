@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Walking.Footsteps;
 using CreatureGen.Motion.Walking.Legs;
@@ -23,6 +24,7 @@ internal readonly struct HipLimit
 
     private readonly bool raised;
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private HipLimit(bool raised, float standing, float arriving, float slack, float tolerance)
     {
         this.raised = raised;
@@ -48,6 +50,7 @@ internal readonly struct HipLimit
     public float Tolerance { get; }
 
     /// <summary>That of a foot.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static HipLimit Of(in Foot foot) => foot.Phase == FootPhase.Swing
         ? new HipLimit(true, 1f - Scalar.Smooth(foot.Swing / Release), Scalar.Smooth((foot.Swing - Arrival) / (1f - Arrival)), LegGaitParameters.SlackCurve.At(foot.Swing), 0f)
         : new HipLimit(false, 1f, 0f, 0f, StandingTolerance);
@@ -82,6 +85,7 @@ internal readonly struct HipLimit
 
     /// <summary>How far toes lie as they should where the ankle turns their foot, 0..1: those of flat feet do on the ground, those of legs out to the side less and less before and after.</summary>
     /// <param name="leg">Whose.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public float Laid(LegRig leg) => !leg.FlatFoot ? 0f : leg.Lateral ? Held : 1f;
 
     /// <summary>Part of its place on an edge of its sole that a foot takes: all of it on the ground, less and less before and after, and, under its body, no more of it in the air than it had on the ground and none where an act holds it.</summary>

@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Anatomy.Legs;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit.Ik;
@@ -142,6 +143,7 @@ internal sealed class LegPoser
     }
 
     /// <summary>How far a leg in the air is where the body carries it instead of on its foot's way, 0..1.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static float Carried(LegRig leg, in Foot foot, float tuck, float trail)
     {
         float fraction = leg.Row > 0 ? tuck : trail;
@@ -233,8 +235,10 @@ internal sealed class LegPoser
         return false;
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void SetHip(LegRig leg, Quaternion carrier, in LegRotations solved, in Pose local) => turns.Set(local, leg.Hip, Rotation.Multiply(Rotation.Inverse(carrier), solved.Thigh));
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void SetKnee(LegRig leg, in LegRotations solved, in Pose local) => local.Rotations[leg.Knee] = Rotation.Multiply(leg.KneeRest, new Quaternion(solved.KneeHalfSine, 0f, 0f, solved.Knee.W));
 
     /// <summary>Writes ankle and ball, within their limits.</summary>
@@ -300,6 +304,7 @@ internal sealed class LegPoser
     }
 
     /// <summary>Brings a joint back towards its limit; says how far beyond it was, about half the angle in radians.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static float Bound(Span<Quaternion> rotations, int index, in LocalLimit limit, float tolerance)
     {
         Quaternion turn = rotations[index];

@@ -75,12 +75,13 @@ internal sealed class ForceResponse
         ReadOnlySpan<FourierSums.Harmonic> harmonics = sums.Harmonics;
         for (int k = 1; k < harmonics.Length; k++)
         {
-            float y = -unit * pushes[k].Height;
+            // Numbers in all four places: an operator that takes one is a call in browsers.
+            var y = new Vector4(-unit * pushes[k].Height);
             Vector4 c = harmonics[k].Cosine;
-            Vector4 amplitude = harmonics[k].Amplitude * Math.Abs(y);
+            Vector4 amplitude = harmonics[k].Amplitude * new Vector4(Math.Abs(y.X));
             max = new Vector4(Math.Max(max.X, amplitude.X), Math.Max(max.Y, amplitude.Y), Math.Max(max.Z, amplitude.Z), Math.Max(max.W, amplitude.W));
             height += c * y;
-            nod -= ((c * NodResponses[k].InStep) + (harmonics[k].Sine * NodResponses[k].Behind)) * y;
+            nod -= ((c * new Vector4(NodResponses[k].InStep)) + (harmonics[k].Sine * new Vector4(NodResponses[k].Behind))) * y;
         }
 
         var fraction = new Vector4(Fraction(max.X, cap), Fraction(max.Y, cap), Fraction(max.Z, cap), Fraction(max.W, cap));

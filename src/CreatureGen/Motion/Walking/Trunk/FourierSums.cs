@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Motion.Walking.Trunk;
@@ -48,8 +49,12 @@ internal sealed class FourierSums
             ref Harmonic harmonic = ref harmonics[k];
             Vector4 x = harmonic.FirstCosine;
             Vector4 y = harmonic.FirstSine;
-            harmonic.Cosine = (x * c) - (y * s);
-            harmonic.Sine = (y * c) + (x * s);
+
+            // Numbers in all four places: an operator that takes one is a call in browsers.
+            var cosines = new Vector4(c);
+            var sines = new Vector4(s);
+            harmonic.Cosine = (x * cosines) - (y * sines);
+            harmonic.Sine = (y * cosines) + (x * sines);
             (c, s) = ((c * cosine) - (s * sine), (s * cosine) + (c * sine));
         }
     }
@@ -58,6 +63,7 @@ internal sealed class FourierSums
     /// <param name="cosine">Their sum of cosines, of the first harmonic.</param>
     /// <param name="sine">Their sum of sines.</param>
     /// <param name="terms">How many there are.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static float Together(float cosine, float sine, int terms) => Math.Max(0f, (2f * ((cosine * cosine) + (sine * sine)) / (terms * terms)) - 1f);
 
     /// <summary>The sums of one harmonic.</summary>

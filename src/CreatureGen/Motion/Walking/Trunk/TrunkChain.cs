@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Modes;
 using CreatureGen.Motion.Walking.Bodies;
@@ -136,6 +137,7 @@ internal sealed class TrunkChain
     }
 
     /// <summary>The turn of a joint relative to the one before.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Quaternion LocalTurn(int slot)
     {
         Quaternion turn = slot <= body.ForeSlot ? Bend : Quaternion.Identity;
