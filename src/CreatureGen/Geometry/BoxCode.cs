@@ -4,7 +4,10 @@ namespace CreatureGen.Geometry;
 /// Corners of axis-aligned boxes on a grid of 2^20 cells a side, packed three coordinates to a number, so that boxes are compared
 /// and enclosed without a branch.
 /// </summary>
-/// <remarks>Each coordinate has 20 bits and a guard bit above them, which catches the borrow of a subtraction (L. Lamport 1975, "Multiple byte processing with full-word instructions").</remarks>
+/// <remarks>
+/// Each coordinate has 20 bits and a guard bit above them, which catches the borrow of a subtraction (L. Lamport 1975, "Multiple byte processing with full-word instructions").
+/// The bit that is left over marks the upper corners of boxes that are still: two of these never overlap, so that a search among what has moved and what has not costs no step more.
+/// </remarks>
 internal static class BoxCode
 {
     /// <summary>The largest coordinate.</summary>
@@ -13,6 +16,7 @@ internal static class BoxCode
     private const int Bits = 20;
     private const int Stride = Bits + 1;
     private const ulong Ones = 1UL | (1UL << Stride) | (1UL << (2 * Stride));
+    private const ulong Stillness = 1UL << 63;
     private const ulong Guards = (1UL << Bits) | (1UL << (Bits + Stride)) | (1UL << (Bits + (2 * Stride)));
 
     /// <summary>A corner from coordinates of 0..<see cref="MaxCoordinate"/>.</summary>
@@ -35,12 +39,18 @@ internal static class BoxCode
     /// <summary>An upper corner ready for <see cref="Overlap"/>: its guard bits are set.</summary>
     public static ulong Guard(ulong high) => high | Guards;
 
-    /// <summary>An upper corner without its guard bits.</summary>
-    public static ulong Bare(ulong high) => high & ~Guards;
+    /// <summary>An upper corner of a box that is still or not.</summary>
+    public static ulong Mark(ulong high, bool still) => still ? high | Stillness : high;
 
-    /// <summary>One when two boxes have a cell in common, otherwise zero. The upper corners are guarded.</summary>
+    /// <summary>The upper corner of a box around others, marked as still when these four are.</summary>
+    public static ulong MarkAsAll(ulong high, ulong a, ulong b, ulong c, ulong d) => (high & ~Stillness) | (a & b & c & d & Stillness);
+
+    /// <summary>An upper corner without its guard bits and its mark.</summary>
+    public static ulong Bare(ulong high) => high & ~(Guards | Stillness);
+
+    /// <summary>One when two boxes have a cell in common and one of them is not still, otherwise zero. The upper corners are guarded.</summary>
     public static int Overlap(ulong lowA, ulong highA, ulong lowB, ulong highB) =>
-        ((highA - lowB) & (highB - lowA) & Guards) == Guards ? 1 : 0;
+        ((highA - lowB) & (highB - lowA) & (Guards | Stillness)) == Guards ? 1 : 0;
 
     /// <summary>One when no number of one triple equals any of the other, otherwise zero. Both are packed.</summary>
     public static int Distinct(ulong a, ulong b)
@@ -61,7 +71,7 @@ internal static class BoxCode
     /// <summary>Place of the box's centre on the Z-order curve of 2^10 cells a side (G. M. Morton 1966). The upper corner is guarded.</summary>
     public static uint Morton(ulong low, ulong high)
     {
-        ulong twice = low + (high & ~Guards);
+        ulong twice = low + Bare(high);
         uint x = (uint)(twice >> (Stride - 10)) & 1023u;
         uint y = (uint)(twice >> ((2 * Stride) - 10)) & 1023u;
         uint z = (uint)(twice >> ((3 * Stride) - 10)) & 1023u;

@@ -17,6 +17,7 @@ internal sealed class CrossingPairs
     private readonly List<(int First, int Second)> pairs = new();
     private int[] chosen = Array.Empty<int>();
     private int[] corners = Array.Empty<int>();
+    private bool[] still = Array.Empty<bool>();
     private int count;
     private PointBounds searched;
 
@@ -38,11 +39,11 @@ internal sealed class CrossingPairs
 
         // Both sides have only the plane in common: no triangle of one crosses one of the other, and where the left is clean the right is.
         ChooseSide(positions, triangles, 1);
-        AddChosen(positions);
+        AddChosen(positions, default);
         if (pairs.Count > 0)
         {
             ChooseSide(positions, triangles, -1);
-            AddChosen(positions);
+            AddChosen(positions, default);
             pairs.Sort();
         }
 
@@ -72,15 +73,7 @@ internal sealed class CrossingPairs
         }
 
         ChooseNear(positions, triangles, moved);
-        SelfIntersection.Find(positions, corners.AsSpan(0, 3 * count), found, workspace);
-        foreach ((int first, int second) in found)
-        {
-            if (Moves(triangles, chosen[first], moved) || Moves(triangles, chosen[second], moved))
-            {
-                pairs.Add((chosen[first], chosen[second]));
-            }
-        }
-
+        AddChosen(positions, still.AsSpan(0, count));
         pairs.Sort();
         return pairs.Count;
     }
@@ -144,6 +137,7 @@ internal sealed class CrossingPairs
             (Vector3 low, Vector3 high) = BoxOf(positions, triangles, t);
             if (Meet(low, high, leftLow, leftHigh) || Meet(low, high, rightLow, rightHigh))
             {
+                still[count] = !Moves(triangles, t, moved);
                 Choose(triangles, t);
             }
         }
@@ -165,6 +159,7 @@ internal sealed class CrossingPairs
         {
             corners = new int[room];
             chosen = new int[room / 3];
+            still = new bool[room / 3];
         }
     }
 
@@ -174,9 +169,10 @@ internal sealed class CrossingPairs
         chosen[count++] = t;
     }
 
-    private void AddChosen(ReadOnlySpan<Vector3> positions)
+    /// <summary>Adds the pairs of what is chosen, without those of two triangles that are still.</summary>
+    private void AddChosen(ReadOnlySpan<Vector3> positions, ReadOnlySpan<bool> still)
     {
-        SelfIntersection.Find(positions, corners.AsSpan(0, 3 * count), found, workspace);
+        workspace.Find(positions, corners.AsSpan(0, 3 * count), found, null, still);
         foreach ((int first, int second) in found)
         {
             pairs.Add((chosen[first], chosen[second]));

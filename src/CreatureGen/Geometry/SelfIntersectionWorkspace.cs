@@ -32,12 +32,17 @@ internal sealed class SelfIntersectionWorkspace
     private int[]? pieces;
 
     /// <summary>Finds all crossing pairs; see <see cref="SelfIntersection"/>. The indices are in range.</summary>
-    internal int Find(ReadOnlySpan<Vector3> positions, ReadOnlySpan<int> triangles, List<(int First, int Second)> pairs, int[]? pieceOf = null)
+    /// <param name="positions">One per vertex.</param>
+    /// <param name="triangles">Vertex indices, three per triangle.</param>
+    /// <param name="pairs">Receives the pairs.</param>
+    /// <param name="pieceOf">The piece of each vertex, where only pairs of one piece count.</param>
+    /// <param name="still">Which triangles are as they were when others were looked for: pairs of two of these do not count, nor are they looked at. Empty for none.</param>
+    internal int Find(ReadOnlySpan<Vector3> positions, ReadOnlySpan<int> triangles, List<(int First, int Second)> pairs, int[]? pieceOf = null, ReadOnlySpan<bool> still = default)
     {
         pieces = pieceOf;
         foundCount = 0;
         hasPlanes = false;
-        tree.Build(positions, triangles);
+        tree.Build(positions, triangles, still);
         for (int level = tree.Levels - 1; level >= 0; level--)
         {
             FollowSiblings(positions, level);

@@ -60,7 +60,10 @@ internal sealed class TriangleTree
     public ReadOnlySpan<ulong> High(int level) => new(high, levelStart[level], levelStart[level + 1] - levelStart[level]);
 
     /// <summary>Encloses the triangles, in their own order where that is good enough, otherwise sorted along the curve. Indices are in range.</summary>
-    public void Build(ReadOnlySpan<Vector3> positions, ReadOnlySpan<int> triangles)
+    /// <param name="positions">One per vertex.</param>
+    /// <param name="triangles">Vertex indices, three per triangle.</param>
+    /// <param name="still">Which triangles are still, of which no two count as meeting; empty for none.</param>
+    public void Build(ReadOnlySpan<Vector3> positions, ReadOnlySpan<int> triangles, ReadOnlySpan<bool> still = default)
     {
         Grow(positions.Length, triangles.Length / 3);
         TriplesAreExact = positions.Length <= BoxCode.MaxCoordinate + 1;
@@ -74,11 +77,11 @@ internal sealed class TriangleTree
             }
         }
 
-        Enclose(triangles);
+        Enclose(triangles, still);
         if (!IsCoherent())
         {
             Sort();
-            Enclose(triangles);
+            Enclose(triangles, still);
         }
     }
 
@@ -197,7 +200,7 @@ internal sealed class TriangleTree
         }
     }
 
-    private void Enclose(ReadOnlySpan<int> triangles)
+    private void Enclose(ReadOnlySpan<int> triangles, ReadOnlySpan<bool> still)
     {
         for (int s = 0; s < Count; s++)
         {
@@ -208,7 +211,7 @@ internal sealed class TriangleTree
             corners[(3 * s) + 2] = k;
             ulong a = vertexCode[i], b = vertexCode[j], c = vertexCode[k];
             low[s] = BoxCode.Min(a, BoxCode.Min(b, c));
-            high[s] = BoxCode.Max(a, BoxCode.Max(b, c));
+            high[s] = BoxCode.Mark(BoxCode.Max(a, BoxCode.Max(b, c)), !still.IsEmpty && still[order[s]]);
             triples[s] = Pack(i, j, k);
         }
 
@@ -222,7 +225,8 @@ internal sealed class TriangleTree
             for (int first = begin; first < end; first += Branching)
             {
                 low[at] = BoxCode.Min(BoxCode.Min(low[first], low[first + 1]), BoxCode.Min(low[first + 2], low[first + 3]));
-                high[at++] = BoxCode.Max(BoxCode.Max(high[first], high[first + 1]), BoxCode.Max(high[first + 2], high[first + 3]));
+                ulong box = BoxCode.Max(BoxCode.Max(high[first], high[first + 1]), BoxCode.Max(high[first + 2], high[first + 3]));
+                high[at++] = BoxCode.MarkAsAll(box, high[first], high[first + 1], high[first + 2], high[first + 3]);
             }
 
             begin = end;
@@ -242,7 +246,7 @@ internal sealed class TriangleTree
         while (end % Branching != 0)
         {
             low[end] = NoLow;
-            high[end++] = 0;
+            high[end++] = BoxCode.Mark(0, true);
         }
 
         return end;
