@@ -7,14 +7,15 @@ namespace CreatureGen.Geometry;
 
 /// <summary>The crossing pairs of a surface while parts of it move. Buffers grow and are kept; for one thread at a time.</summary>
 /// <remarks>
-/// Looks only where crossings can be: at the left side first, as the right is its image, and after a repair round at what is near the points that moved. That takes a third off the building of
-/// creatures with many limbs. The pairs are those of a search of the whole.
+/// Looks only where crossings can be: at the left side, and on the right at the images of those pairs that had to be tried on the left; and after a repair round at what moved, and what is near that.
+/// Where the sides are no exact images of one another both are searched. The pairs are those of a search of the whole.
 /// </remarks>
 internal sealed class CrossingPairs
 {
     private readonly SelfIntersectionWorkspace workspace = new();
     private readonly List<(int First, int Second)> found = new();
     private readonly List<(int First, int Second)> pairs = new();
+    private readonly TriangleImages images = new();
     private int[] chosen = Array.Empty<int>();
     private int[] corners = Array.Empty<int>();
     private bool[] still = Array.Empty<bool>();
@@ -32,6 +33,7 @@ internal sealed class CrossingPairs
     {
         pairs.Clear();
         searched = PointBounds.Of(positions);
+        images.Clear();
         if (mirror.IsEmpty || !AreSidesApart(positions, triangles))
         {
             return SelfIntersection.Find(positions, triangles, pairs, workspace);
@@ -42,8 +44,13 @@ internal sealed class CrossingPairs
         AddChosen(positions, default);
         if (pairs.Count > 0)
         {
-            ChooseSide(positions, triangles, -1);
-            AddChosen(positions, default);
+            images.Find(positions, triangles, mirror);
+            if (!AddImages(positions, triangles, mirror))
+            {
+                ChooseSide(positions, triangles, -1);
+                AddChosen(positions, default);
+            }
+
             pairs.Sort();
         }
 
@@ -53,8 +60,9 @@ internal sealed class CrossingPairs
     /// <summary>Finds the pairs anew after some points have moved since the last search of the same surface, and gives their number.</summary>
     /// <param name="positions">One per vertex, finite.</param>
     /// <param name="triangles">Vertex indices, three per triangle, in range.</param>
+    /// <param name="mirror">For each vertex its mirror image in the plane x = 0; empty for a surface without symmetry.</param>
     /// <param name="moved">Which points have moved.</param>
-    public int FindAgain(ReadOnlySpan<Vector3> positions, ReadOnlySpan<int> triangles, ReadOnlySpan<bool> moved)
+    public int FindAgain(ReadOnlySpan<Vector3> positions, ReadOnlySpan<int> triangles, ReadOnlySpan<int> mirror, ReadOnlySpan<bool> moved)
     {
         PointBounds bounds = PointBounds.Of(positions);
         if (bounds.Min != searched.Min || bounds.Max != searched.Max)
@@ -72,8 +80,17 @@ internal sealed class CrossingPairs
             }
         }
 
-        ChooseNear(positions, triangles, moved);
+        bool onLeft = images.Hold(positions, mirror, moved) && AreSidesApart(positions, triangles);
+        int before = pairs.Count;
+        ChooseNear(positions, triangles, moved, onLeft);
         AddChosen(positions, still.AsSpan(0, count));
+        if (onLeft && !AddImages(positions, triangles, mirror))
+        {
+            pairs.RemoveRange(before, pairs.Count - before);
+            ChooseNear(positions, triangles, moved, false);
+            AddChosen(positions, still.AsSpan(0, count));
+        }
+
         pairs.Sort();
         return pairs.Count;
     }
@@ -97,20 +114,23 @@ internal sealed class CrossingPairs
         return true;
     }
 
+    private static bool IsOnSide(ReadOnlySpan<Vector3> positions, ReadOnlySpan<int> triangles, int t, int sign) =>
+        sign * positions[triangles[3 * t]].X > 0f || sign * positions[triangles[(3 * t) + 1]].X > 0f || sign * positions[triangles[(3 * t) + 2]].X > 0f;
+
     private void ChooseSide(ReadOnlySpan<Vector3> positions, ReadOnlySpan<int> triangles, int sign)
     {
         Clear(triangles.Length);
         for (int t = 0; t < triangles.Length / 3; t++)
         {
-            if (sign * positions[triangles[3 * t]].X > 0f || sign * positions[triangles[(3 * t) + 1]].X > 0f || sign * positions[triangles[(3 * t) + 2]].X > 0f)
+            if (IsOnSide(positions, triangles, t, sign))
             {
                 Choose(triangles, t);
             }
         }
     }
 
-    /// <summary>Chooses the triangles that meet the box of the moved ones of the left or that of the right.</summary>
-    private void ChooseNear(ReadOnlySpan<Vector3> positions, ReadOnlySpan<int> triangles, ReadOnlySpan<bool> moved)
+    /// <summary>Chooses the triangles that meet the box of the moved ones of the left or that of the right; where that is asked for, those of the left alone.</summary>
+    private void ChooseNear(ReadOnlySpan<Vector3> positions, ReadOnlySpan<int> triangles, ReadOnlySpan<bool> moved, bool onLeft)
     {
         Vector3 leftLow = new(float.MaxValue), leftHigh = new(float.MinValue), rightLow = leftLow, rightHigh = leftHigh;
         for (int t = 0; t < triangles.Length / 3; t++)
@@ -134,6 +154,11 @@ internal sealed class CrossingPairs
         Clear(triangles.Length);
         for (int t = 0; t < triangles.Length / 3; t++)
         {
+            if (onLeft && !IsOnSide(positions, triangles, t, 1))
+            {
+                continue;
+            }
+
             (Vector3 low, Vector3 high) = BoxOf(positions, triangles, t);
             if (Meet(low, high, leftLow, leftHigh) || Meet(low, high, rightLow, rightHigh))
             {
@@ -177,5 +202,26 @@ internal sealed class CrossingPairs
         {
             pairs.Add((chosen[first], chosen[second]));
         }
+    }
+
+    /// <summary>Adds the pairs of the right: of what was tried on the left, those of which the images cross. False when some have no image.</summary>
+    private bool AddImages(ReadOnlySpan<Vector3> positions, ReadOnlySpan<int> triangles, ReadOnlySpan<int> mirror)
+    {
+        foreach ((int first, int second) in workspace.Tried)
+        {
+            int one = images.Of(chosen[first], triangles, mirror);
+            int other = images.Of(chosen[second], triangles, mirror);
+            if (one < 0 || other < 0)
+            {
+                return false;
+            }
+
+            if (workspace.Cross(positions, triangles.Slice(3 * one, 3), triangles.Slice(3 * other, 3)))
+            {
+                pairs.Add((Math.Min(one, other), Math.Max(one, other)));
+            }
+        }
+
+        return true;
     }
 }

@@ -27,9 +27,18 @@ internal sealed class SelfIntersectionWorkspace
     // The plane of each triangle in the tree: normal as long as twice the area, product of it with a corner, and the sum of its components' magnitudes; worked out when the first pair of a search needs one.
     private double[] planes = Array.Empty<double>();
     private bool hasPlanes;
+    private double tolerance;
+    private readonly List<(int First, int Second)> tried = new();
 
     // The piece of each vertex where pairs of different pieces do not count.
     private int[]? pieces;
+
+    /// <summary>The pairs of the last search that had to be tried in full, since neither triangle is certainly on one side of the other's plane.</summary>
+    internal List<(int First, int Second)> Tried => tried;
+
+    /// <summary>Whether two triangles cross, with the tolerance of the last search.</summary>
+    internal bool Cross(ReadOnlySpan<Vector3> positions, ReadOnlySpan<int> s, ReadOnlySpan<int> t) =>
+        TriangleCrossing.Cross(positions[s[0]], positions[s[1]], positions[s[2]], positions[t[0]], positions[t[1]], positions[t[2]], tolerance);
 
     /// <summary>Finds all crossing pairs; see <see cref="SelfIntersection"/>. The indices are in range.</summary>
     /// <param name="positions">One per vertex.</param>
@@ -42,7 +51,9 @@ internal sealed class SelfIntersectionWorkspace
         pieces = pieceOf;
         foundCount = 0;
         hasPlanes = false;
+        tried.Clear();
         tree.Build(positions, triangles, still);
+        tolerance = Tolerance.CrossingLengthPerDiagonal * tree.Diagonal;
         for (int level = tree.Levels - 1; level >= 0; level--)
         {
             FollowSiblings(positions, level);
@@ -200,7 +211,6 @@ internal sealed class SelfIntersectionWorkspace
             FindPlanes(positions);
         }
 
-        double tolerance = Tolerance.CrossingLengthPerDiagonal * tree.Diagonal;
         ReadOnlySpan<float> coordinates = MemoryMarshal.Cast<Vector3, float>(positions);
         ReadOnlySpan<int> corners = tree.Corners;
         int kept = 0;
@@ -215,10 +225,14 @@ internal sealed class SelfIntersectionWorkspace
         {
             ReadOnlySpan<int> s = corners.Slice(3 * First(pairs[p]), 3);
             ReadOnlySpan<int> t = corners.Slice(3 * Second(pairs[p]), 3);
-            if (MayStraddle(coordinates, planes.AsSpan(PlaneSize * Second(pairs[p]), PlaneSize), s, tolerance) == 1
-                && TriangleCrossing.Cross(positions[s[0]], positions[s[1]], positions[s[2]], positions[t[0]], positions[t[1]], positions[t[2]], tolerance))
+            if (MayStraddle(coordinates, planes.AsSpan(PlaneSize * Second(pairs[p]), PlaneSize), s, tolerance) == 1)
             {
-                Add(tree.Order[First(pairs[p])], tree.Order[Second(pairs[p])]);
+                int first = tree.Order[First(pairs[p])], second = tree.Order[Second(pairs[p])];
+                tried.Add((first, second));
+                if (Cross(positions, s, t))
+                {
+                    Add(first, second);
+                }
             }
         }
     }

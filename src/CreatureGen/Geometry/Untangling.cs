@@ -75,7 +75,7 @@ internal static class Untangling
             List<int> region = Region(crossings.Pairs, triangles, neighbours, mirror, held);
             Smooth(positions, region, neighbours, mirror, grounded, FirstIterations + rounds);
             Mark(moved, region, mirror);
-            int count = crossings.FindAgain(positions, triangles, moved);
+            int count = crossings.FindAgain(positions, triangles, mirror, moved);
             if (count < fewest)
             {
                 fewest = count;

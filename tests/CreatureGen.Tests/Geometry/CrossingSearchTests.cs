@@ -44,6 +44,23 @@ public sealed class CrossingSearchTests
         Assert.Equal(0, search.Find(pulled));
     }
 
+    /// <summary>A reduction that goes on, and finds crossings at a place where the finest surface has had none, and later at another where it has.</summary>
+    [Fact]
+    public void What_the_finest_surface_crosses_elsewhere_is_taken_for_given_when_it_is_come_upon()
+    {
+        Vector3[] places = [.. positions, new(20, 0, 0), new(22, 0, 0), new(20, 2, 0), new(20.5f, 0.5f, -1), new(20.5f, 0.5f, 1), new(23, 3, 0), new(23, 3.5f, 0)];
+        int[] corners = [0, 1, 2, 6, 4, 5, 7, 8, 9, 10, 11, 12];
+        var search = new CrossingSearch(places, corners, new int[places.Length], PointBounds.Of(places));
+        var surface = new CollapsingMesh(places, new Vector3[places.Length], corners, (int[])corners.Clone());
+        Assert.Equal(0, search.Find(surface));
+        corners[3] = 3;
+        Assert.Equal(1, search.Find(surface));
+        corners[11] = 13;
+        Assert.Equal(1, search.Find(surface));
+        Assert.True(search.Touches(4));
+        Assert.False(search.Touches(10));
+    }
+
     private static int[] Touched(int[] corners, int[] pieces)
     {
         (CollapsingMesh surface, CrossingSearch search) = Pulled(corners, pieces);
