@@ -286,7 +286,8 @@ internal sealed partial class FootingSearch
         {
             float along = fan[i].Along * shape.Toe;
             float across = fan[i].Across * shape.HalfWidth;
-            sole.StandOn(Rise(step, shape, target, sole.At(along, across), hit, out _), along, across);
+            sole.StandOn(Rise(step, shape, target, sole.At(along, across), hit, out SoleEnd tip), along, across);
+            sole.Toes = tip == SoleEnd.Wall && !shape.Lateral ? tip : sole.Toes;
         }
     }
 

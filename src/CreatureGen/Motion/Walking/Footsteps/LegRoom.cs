@@ -47,8 +47,8 @@ internal struct LegRoom
     public LegRoom(LeggedBody body)
     {
         this.body = body;
-        hind = new Girdle(float.MaxValue);
-        fore = new Girdle(float.MaxValue);
+        hind = Girdle.Free;
+        fore = Girdle.Free;
     }
 
     /// <summary>How much a leg counts, 0..1: less as it leaves the ground, more as it comes down, and not where an act has taken it.</summary>
@@ -86,15 +86,18 @@ internal struct LegRoom
         float holds = Math.Max(arriving, foot.Leg.Held * Leaving(foot));
         float room = Math.Max(((1f + (Spare * (1f - holds))) * leg.Reach) - distance, 0f);
 
+        // How far down it can be folded: farther its foot would be pushed into the ground.
+        float depth = (Math.Max(distance - leg.FoldedReach, 0f) / steep) + ((1f - weight) * MaxDrop * leg.Length);
+
         // Bodies on many legs come down level.
         if (body.Rows != 2 || leg.Row == 0)
         {
-            hind.Add(drop, raise, room);
+            hind.Add(drop, raise, room, depth);
         }
 
         if (body.Rows != 2 || leg.Row == 1)
         {
-            fore.Add(drop, raise, room);
+            fore.Add(drop, raise, room, depth);
         }
     }
 
@@ -164,28 +167,27 @@ internal struct LegRoom
     /// <summary>What the legs of a girdle ask.</summary>
     private struct Girdle
     {
+        private float drop;
         private float raise;
         private float room;
+        private float depth;
 
-        public Girdle(float room)
-        {
-            Drop = 0f;
-            raise = 0f;
-            this.room = room;
-        }
+        /// <summary>Of no legs.</summary>
+        public static Girdle Free => new() { room = float.MaxValue, depth = float.MaxValue };
 
-        /// <summary>How far it comes down, metres.</summary>
-        public float Drop { get; private set; }
+        /// <summary>How far it comes down, metres: no farther than the others fold.</summary>
+        public readonly float Drop => Math.Min(drop, depth);
 
         /// <summary>How far it comes up: no farther than the others reach.</summary>
         public readonly float Rise => Math.Min(raise, room);
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public void Add(float drop, float raise, float room)
+        public void Add(float drop, float raise, float room, float depth)
         {
-            Drop = Math.Max(Drop, drop);
+            this.drop = Math.Max(this.drop, drop);
             this.raise = Math.Max(this.raise, raise);
             this.room = Math.Min(this.room, room);
+            this.depth = Math.Min(this.depth, depth);
         }
     }
 }

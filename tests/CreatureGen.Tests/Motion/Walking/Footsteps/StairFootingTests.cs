@@ -114,6 +114,33 @@ public sealed class StairFootingTests
         Assert.True(report.StanceSlip < 0.02f, $"a stance slips by {report.StanceSlip}");
     }
 
+    /// <summary>An upright walker's flat feet lay still down stairs where their toes hung over edges, until their ankles came to their ends and drew them along: by .0087 of a leg.</summary>
+    [Fact]
+    public void Heels_of_flat_feet_rise_whose_toes_hang_over_an_edge()
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(24352025, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        CourseReport report = new MotionCourse(CourseScripts.Runner(profile, 12f), CourseGround.Stairs, CourseRate.Of(60f)).Run(profile);
+        Assert.True(report.StanceSlip < 0.006f, $"a stance slips by {report.StanceSlip}");
+    }
+
+    /// <summary>A body on six hooves came down for a leg that was stretched, and pushed a folded one by .07 of a leg into the ground: its foot slipped by .027.</summary>
+    [Fact]
+    public void A_body_comes_down_for_a_stretched_leg_no_farther_than_the_others_fold()
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(24350022, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        CourseReport report = new MotionCourse(CourseScripts.Runner(profile, 12f), CourseGround.Stairs, CourseRate.Of(60f)).Run(profile);
+        Assert.True(report.StanceSlip < 0.01f, $"a stance slips by {report.StanceSlip}");
+    }
+
+    /// <summary>A fore foot with spread toes, one of which was in the next riser, stood on air as high as a part of that: it was dragged as it rolled, by .02 of a leg.</summary>
+    [Fact]
+    public void Feet_are_set_back_where_one_of_their_spread_toes_would_be_in_a_riser()
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(23153307, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        CourseReport report = new MotionCourse(CourseScripts.Runner(profile, 12f), CourseGround.Stairs, CourseRate.Of(60f)).Run(profile);
+        Assert.True(report.StanceSlip99 < 0.01f, $"one stance of a hundred slips by {report.StanceSlip99}");
+    }
+
     /// <summary>The place of a foot was moved off risers little by little while what was asked for went on: toes were .12 of a leg deep in the mean.</summary>
     [Theory]
     [InlineData(10800000UL, 8)]
