@@ -15,6 +15,12 @@ internal sealed class LegFold
     private const double WidestSplay = 0.9;
     private const double SplayStep = 0.06;
 
+    /// <summary>How far each joint from the hip down is turned about the leg, its outer edge down, radians: with the sole level the whole leg and its foot are seen on edge, a peg, from the side, the front and behind.</summary>
+    private const double Turned = 0.3;
+
+    /// <summary>First joint that is turned about the leg: that of the girdle is not.</summary>
+    private const int Hip = 1;
+
     /// <summary>First joint whose bone has to keep clear: the thigh grows out of the body.</summary>
     private const int Knee = 2;
 
@@ -51,7 +57,7 @@ internal sealed class LegFold
         for (double splay = MinSplay; splay <= WidestSplay && min > 0f; splay += SplayStep)
         {
             PortableMath.SinCos(splay, out double sine, out double cosine);
-            LegFold fold = Towards(chain, subject, new Vector3((float)sine, -(float)droop, -(float)cosine));
+            LegFold fold = Towards(chain, subject, new Vector3((float)sine, -(float)droop, -(float)cosine), Turned);
             float depth = fold.DepthIn(beside);
             if (depth < min)
             {
@@ -64,10 +70,10 @@ internal sealed class LegFold
     }
 
     /// <summary>The turns of each joint that spread a leg against the stream, about the model's axes.</summary>
-    public static Quaternion[] Spread(PairedChain chain, MotionSubject subject) => Towards(chain, subject, against).turns;
+    public static Quaternion[] Spread(PairedChain chain, MotionSubject subject) => Towards(chain, subject, against, 0).turns;
 
-    /// <summary>Turns every bone towards a direction, from the hip down, as far as its joint allows.</summary>
-    private static LegFold Towards(PairedChain chain, MotionSubject subject, Vector3 direction)
+    /// <summary>Turns every bone towards a direction and about it, from the hip down, as far as its joint allows.</summary>
+    private static LegFold Towards(PairedChain chain, MotionSubject subject, Vector3 direction, double about)
     {
         var turns = new Quaternion[chain.Count];
         var bones = new List<FoldedBone>();
@@ -75,7 +81,8 @@ internal sealed class LegFold
         Vector3 at = chain.Points[0];
         for (int k = 0; k < turns.Length; k++)
         {
-            turns[k] = chain.Limit(k, Rotation.FromTo(chain.Axes[k], Rotation.Rotate(Rotation.Inverse(whole), direction)));
+            Vector3 there = Rotation.Rotate(Rotation.Inverse(whole), direction);
+            turns[k] = chain.Limit(k, Rotation.Multiply(Rotation.FromAxisAngle(Vec.Normalize(there, direction), k < Hip ? 0 : about), Rotation.FromTo(chain.Axes[k], there)));
 
             // Limits slow a joint down towards their ends: of the turn that is kept, so much is written.
             whole = Rotation.Normalize(Rotation.Multiply(whole, chain.Limit(k, turns[k])));
