@@ -46,7 +46,7 @@ internal sealed partial class WalkingMode
         if (winged)
         {
             sway.Follow(placer.Bounce, placer.Scissor * activity, acceleration / settings.Gravity, placer.Balance, idle.Wings, (float)Math.Sqrt(body.LegLength / settings.Gravity), dt);
-            wings?.Write(layer?.Wings ?? 0f, sway, local);
+            wings?.Write(layer?.Wings ?? 0f, activity, sway, local);
         }
     }
 

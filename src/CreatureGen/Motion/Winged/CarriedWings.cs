@@ -10,9 +10,15 @@ using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Winged;
 
-/// <summary>Wings of what goes on its legs alone: folded onto the flanks, and spread to be seen. Immutable, worked out once.</summary>
+/// <summary>Wings of what goes on its legs alone: folded onto the flanks where it stands, raised half open as it goes, and spread to be seen. Immutable, worked out once.</summary>
 internal sealed class CarriedWings
 {
+    /// <summary>How far wings are spread and raised by a body on its way: folded they are rags before its forelegs, half as far open as this they are ropes.</summary>
+    private const float RaisedOnTheWay = 0.65f;
+
+    /// <summary>How much it goes from where on they are raised all the way.</summary>
+    private const float FullyGoing = 0.5f;
+
     private readonly WingPair[] pairs;
     private readonly (int Joint, Quaternion Rotation, Vector3 Position)[] folded;
 
@@ -65,10 +71,12 @@ internal sealed class CarriedWings
 
     /// <summary>Writes their joints.</summary>
     /// <param name="shown">How far they are spread and raised to be seen, 0..1, or beyond to raise them higher; folded at 0 and below.</param>
+    /// <param name="going">How much it goes, 0 standing to 1.</param>
     /// <param name="sway">How they swing with the body.</param>
     /// <param name="local">Receives the joints, in the parents' space.</param>
-    public void Write(float shown, in WingSway sway, in Pose local)
+    public void Write(float shown, float going, in WingSway sway, in Pose local)
     {
+        shown = Math.Max(shown, RaisedOnTheWay * (float)Scalar.Smooth(going / FullyGoing));
         if (shown > 0f)
         {
             var stroke = new WingStroke { Spread = Math.Min(shown, 1f), Shown = shown, LiftLeft = sway.Left, LiftRight = sway.Right };

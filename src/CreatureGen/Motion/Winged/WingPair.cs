@@ -128,9 +128,10 @@ internal sealed class WingPair
         Quaternion spread = chain.Stroke(k, raise + (0.5 * lift * (1 - beat.Height)) + (shown[k] * stroke.Shown), sweep, twist);
         if (open < Spread)
         {
-            // On the way the shoulder is raised, so that the tip does not sweep over the ground.
+            // On the way the shoulder is raised, so that the tip does not sweep over the ground. What is all but spread still swings with the body.
+            double square = open * open;
             Quaternion way = Rotation.Slerp(folded.Turn(k), spread, open);
-            spread = k == 0 ? Rotation.Multiply(AxisRotation.Roll((4 * FoldLift * open * (1 - open)) + ((1 - open) * (side == Side.Left ? stroke.LiftLeft : stroke.LiftRight))), way) : way;
+            spread = k == 0 ? Rotation.Multiply(AxisRotation.Roll((4 * FoldLift * open * (1 - open)) + ((1 - (square * square)) * (side == Side.Left ? stroke.LiftLeft : stroke.LiftRight))), way) : way;
         }
 
         return spread;

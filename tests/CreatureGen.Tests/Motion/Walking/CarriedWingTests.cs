@@ -72,15 +72,35 @@ public sealed class CarriedWingTests
         Assert.True(Math.Abs(again - folded) < 0.05f * folded, $"{seed}: {folded} m to the side folded, {again} m afterwards");
     }
 
+    /// <summary>Folded on its way too they were rags before its forelegs.</summary>
+    [Theory]
+    [MemberData(nameof(Winged))]
+    public void Who_goes_raises_its_wings_over_the_back_and_folds_them_again_where_it_stands(ulong seed)
+    {
+        (Creature creature, CreatureAnimator animator) = Standing(seed);
+        float folded = Breadth(creature, SkinOf(creature, animator));
+        float low = Elevation(creature, animator, JointsOf(creature).First());
+        float speed = animator.Profile.Gaits!.Speeds[0].Comfortable;
+        Walkers.Run(animator, 4f, 60f, new MotionInput(speed), FlatGround.Level);
+        int hand = creature.Limbs.First(limb => limb.Kind == LimbKind.Wing).Joints[^1];
+        int chest = creature.Skeleton.FirstOf(JointRole.Chest);
+        float over = animator.ModelPose.Positions[hand].Y - animator.ModelPose.Positions[chest].Y;
+        float high = Elevation(creature, animator, JointsOf(creature).First());
+        Walkers.Run(animator, 12f, 60f, default, FlatGround.Level);
+        float again = Breadth(creature, SkinOf(creature, animator));
+        Assert.True(high > low + 0.3f, $"{seed}: the arm points up by {low} rad folded, by {high} rad on its way");
+        Assert.True(over > 0f, $"{seed}: the hand is {over} m above the chest");
+        Assert.True(Math.Abs(again - folded) < 0.05f * folded, $"{seed}: {folded} m to the side folded, {again} m afterwards");
+    }
+
     [Fact]
-    public void Folded_wings_swing_with_the_steps_at_every_frame_rate_alike()
+    public void Wings_swing_with_the_steps_at_every_frame_rate_alike()
     {
         (Creature creature, CreatureAnimator animator) = Standing(9985013);
         float speed = new MotionProfile(creature).Gaits!.Speeds[0].Comfortable;
         (float Least, float Most) coarse = SwingAt(60f);
         (float Least, float Most) fine = SwingAt(240f);
-        Assert.True(coarse.Most - coarse.Least > 0.02f, $"the wing swings from {coarse.Least} to {coarse.Most} rad");
-        Assert.True(coarse.Most < 0.4f, $"the wing swings up to {coarse.Most} rad");
+        Assert.InRange(coarse.Most - coarse.Least, 0.02f, 0.4f);
         Assert.Equal(fine.Most, coarse.Most, 0.02f);
         Assert.Equal(fine.Least, coarse.Least, 0.02f);
 
@@ -88,14 +108,13 @@ public sealed class CarriedWingTests
         {
             animator.Teleport(RootPlace.Identity, FlatGround.Level);
             int shoulder = JointsOf(creature).First();
-            Quaternion folded = animator.LocalPose.Rotations[shoulder];
             Walkers.Run(animator, 4f, rate, new MotionInput(speed), FlatGround.Level);
             float least = float.MaxValue;
-            float most = 0f;
+            float most = float.MinValue;
             for (int i = 0; i < 2 * rate; i++)
             {
                 animator.Update(1f / rate, new MotionInput(speed), FlatGround.Level);
-                float angle = (float)Rotation.Angle(Rotation.Multiply(Rotation.Inverse(folded), animator.LocalPose.Rotations[shoulder]));
+                float angle = Elevation(creature, animator, shoulder);
                 least = Math.Min(least, angle);
                 most = Math.Max(most, angle);
             }
@@ -105,13 +124,12 @@ public sealed class CarriedWingTests
     }
 
     [Fact]
-    public void Folded_wings_open_in_braking_and_the_outer_one_in_a_turn()
+    public void Wings_rise_in_braking_and_the_outer_one_in_a_turn()
     {
         (Creature creature, CreatureAnimator animator) = Standing(9985013);
         float run = animator.Profile.Gaits!.Speeds[^1].Comfortable;
         int left = JointsOf(creature).First();
         int right = creature.Skeleton.Mirrors[left];
-        Quaternion[] folded = animator.LocalPose.Rotations.ToArray();
         Walkers.Run(animator, 4f, 60f, new MotionInput(run), FlatGround.Level);
         float steady = Most(left, new MotionInput(run));
         float braking = Most(left, default);
@@ -119,17 +137,16 @@ public sealed class CarriedWingTests
         Walkers.Run(animator, 1.5f, 60f, new MotionInput(run, 2f), FlatGround.Level);
         float outer = Most(right, new MotionInput(run, 2f));
         float inner = Most(left, new MotionInput(run, 2f));
-        Assert.True(braking > steady + 0.1f, $"{steady} rad at a run, {braking} rad in braking");
-        Assert.True(outer > inner + 0.1f, $"{inner} rad inside the turn, {outer} rad outside");
-        Assert.True(Math.Max(braking, outer) < 0.8f, $"{braking} rad in braking, {outer} rad outside the turn");
+        Assert.True(braking > steady + 0.05f, $"{steady} rad at a run, {braking} rad in braking");
+        Assert.True(outer > inner + 0.03f, $"{inner} rad inside the turn, {outer} rad outside");
 
         float Most(int shoulder, MotionInput input)
         {
-            float most = 0f;
+            float most = float.MinValue;
             for (int i = 0; i < 60; i++)
             {
                 animator.Update(1f / 60f, input, FlatGround.Level);
-                most = Math.Max(most, (float)Rotation.Angle(Rotation.Multiply(Rotation.Inverse(folded[shoulder]), animator.LocalPose.Rotations[shoulder])));
+                most = Math.Max(most, Elevation(creature, animator, shoulder));
             }
 
             return most;
@@ -152,6 +169,16 @@ public sealed class CarriedWingTests
         animator.Settings = animator.Settings with { Idle = 0f };
         animator.Teleport(RootPlace.Identity, FlatGround.Level);
         return (creature, animator);
+    }
+
+    /// <summary>How far above level the upper arm points, seen from the chest, radians.</summary>
+    private static float Elevation(Creature creature, CreatureAnimator animator, int shoulder)
+    {
+        LimbChain wing = creature.Limbs.First(limb => limb.Joints.Contains(shoulder));
+        int elbow = wing.Joints[wing.Joints.ToList().IndexOf(shoulder) + 1];
+        Vector3 arm = Rotation.Rotate(animator.LocalPose.Rotations[shoulder], creature.Skeleton.LocalPositions[elbow]);
+        Vector3 there = Rotation.Rotate(creature.Skeleton.ModelRotations[creature.Skeleton.Parents[shoulder]], arm);
+        return MathF.Asin(there.Y / there.Length());
     }
 
     private static IEnumerable<int> JointsOf(Creature creature) => creature.Limbs.Where(limb => limb.Kind == LimbKind.Wing).SelectMany(limb => limb.Joints.Take(limb.Joints.Count - 1));
