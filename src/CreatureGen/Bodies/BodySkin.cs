@@ -232,7 +232,9 @@ internal sealed class BodySkin
         return tail.Style switch
         {
             TailStyle.Feathers => (float)(Arch * tail.Size * Scalar.Smooth((ring - StationRing.TailFirst) / 8.0) * (crest - (across * across))),
-            TailStyle.Fluke => (float)(tail.Size * Scalar.Smooth((ring - StationRing.TailFirst) / 7.0) * FlukeTail.RiseAt(across)),
+
+            // By its place in the whole lobe: with its tips bent up ring by ring a lobe is twisted along its leading edge, where both of its faces then cut through one another.
+            TailStyle.Fluke => (float)(tail.Size * Scalar.Smooth((ring - StationRing.TailFirst) / 7.0) * FlukeTail.RiseAt(Math.Min(1, Math.Abs(x) / tail.Size))),
             _ => 0f,
         };
     }

@@ -1,8 +1,11 @@
 using System;
+using System.Linq;
 using CreatureGen.Anatomy;
 using CreatureGen.Anatomy.Tails;
 using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
+using CreatureGen.Creatures;
+using CreatureGen.Rigging;
 using CreatureGen.Sampling;
 using Xunit;
 
@@ -62,6 +65,22 @@ public sealed class FlukeTests
         }
 
         Assert.True(flukes > 3);
+    }
+
+    /// <summary>Where the faces of a lobe cut through one another they are smoothed until they do not: its tip was cut off square.</summary>
+    [Theory]
+    [InlineData(24250029)]
+    [InlineData(24250021)]
+    [InlineData(24250002)]
+    public void A_fluke_keeps_its_tips_as_it_is_grown(ulong seed)
+    {
+        CreatureBlueprint blueprint = BlueprintSampler.Sample(seed, LocomotionKind.Swimming);
+        Assert.Equal(TailStyle.Fluke, blueprint.Tail.Style);
+        Creature creature = CreatureAssembler.Assemble(blueprint);
+        BodyShape shape = BodyShaper.Shape(blueprint.Plan, blueprint.Body, blueprint.Head, blueprint.Tail);
+        double tip = shape.Width[Last] * blueprint.Scale;
+        double grown = creature.Mesh.Positions.ToArray().Where((_, v) => creature.Skeleton.Joints[creature.Mesh.Weights[v].Joint0].Role is JointRole.Tail or JointRole.Spine).Max(p => Math.Abs(p.X));
+        Assert.True(grown > 0.97 * tip, FormattableString.Invariant($"{seed}: tips {grown} m out, {tip} as they are shaped"));
     }
 
     [Fact]
