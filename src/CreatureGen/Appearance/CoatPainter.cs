@@ -151,11 +151,11 @@ internal sealed class CoatPainter
     }
 
     // 0 where the back is to 1 where the belly is; limbs and blades leave the shade of their root for one of their own.
-    private static float Countershade(in SkinPlace place)
+    private float Countershade(in SkinPlace place)
     {
         if (place.IsTrunk)
         {
-            return place.Ventral;
+            return place.Ventral * tail.ShadeAt(place);
         }
 
         if (place.IsLimb)

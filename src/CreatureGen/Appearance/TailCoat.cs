@@ -13,6 +13,9 @@ internal sealed class TailCoat
     private const float Margin = 0.3f;
     private const float MarginFirst = 51.5f;
 
+    /// <summary>Part of the shade of the belly that a tail with a sting is without: it is carried over the back, and its lower side, pale, is a mast for who is behind it.</summary>
+    private const float Unshaded = 0.6f;
+
     private readonly CoatPalette palette;
     private readonly CoatSubject subject;
     private readonly Vector3 finColour;
@@ -25,7 +28,7 @@ internal sealed class TailCoat
         this.subject = subject;
         finColour = BladeCoat.FinColour(palette, patternSeed);
         float tip = CoatChoice.Of(patternSeed, CoatChoice.TailTip);
-        tipColour = tip < 0.45f ? palette.Limb : palette.Belly;
+        tipColour = tip < 0.45f || subject.Tail == TailStyle.Stinger ? palette.Limb : palette.Belly;
         tipFraction = tip < 0.70f ? 0.85f : 0f;
     }
 
@@ -55,6 +58,9 @@ internal sealed class TailCoat
                 return Vec.Lerp(colour, finColour, 0.85f * Between(place, 47, 52)) * (rays * margin);
         }
     }
+
+    /// <summary>What is left of the shade of the belly at a place of the trunk.</summary>
+    public float ShadeAt(in SkinPlace place) => subject.Tail == TailStyle.Stinger ? 1f - (Unshaded * Between(place, StationRing.TorsoLast, StationRing.TailFirst + 2)) : 1f;
 
     private float Between(in SkinPlace place, int from, int to)
     {
