@@ -28,6 +28,9 @@ public sealed class SwimLegTests
     private const double LeastHung = 0.35;
     private const double LeastBend = 20;
 
+    /// <summary>Most that the sole of a foot that is laid back is level, 1 flat.</summary>
+    private const double Flattest = 0.8;
+
     private static readonly Lazy<Creature[]> legged = new(() =>
         new[] { "newt", "crocodile" }.SelectMany(body => Enumerable.Range(0, Thoroughness.IsExhaustive ? 12 : 2).Select(seed => SpeciesSubject.Of(body, RequestedKind.Swimming, (ulong)seed))).ToArray());
 
@@ -46,6 +49,26 @@ public sealed class SwimLegTests
             }));
             Assert.True(worst < Degrees(58), FormattableString.Invariant($"{Name(creature)}: {worst / Degrees(1)} degrees from straight back at worst"));
             Assert.True(mean < Degrees(36), FormattableString.Invariant($"{Name(creature)}: {mean / Degrees(1)} degrees from straight back in the mean"));
+        }
+    }
+
+    /// <summary>With level soles they were seen on edge from the side, the front and behind: the leg was a peg.</summary>
+    [Fact]
+    public void At_cruise_feet_stand_on_edge_halfway_rather_than_lie_flat()
+    {
+        foreach (Creature creature in legged.Value)
+        {
+            int[] feet = creature.Limbs.Where(limb => limb.Kind is LimbKind.Leg or LimbKind.Arm && limb.Side == Side.Left).Select(limb => limb.Joints[^2]).ToArray();
+            double flat = 0;
+            Beat(creature, 1, 0, body =>
+            {
+                foreach (int foot in feet)
+                {
+                    Vector3 sole = Rotation.Rotate(Rotation.Inverse(creature.Skeleton.ModelRotations[foot]), SoleOf(creature, foot));
+                    flat += Math.Abs(Rotation.Rotate(body.ModelRotations[foot], sole).Y) / (Frames * feet.Length);
+                }
+            });
+            Assert.True(flat < Flattest, FormattableString.Invariant($"{Name(creature)}: {flat:0.00} of a level sole in the mean"));
         }
     }
 
@@ -259,6 +282,25 @@ public sealed class SwimLegTests
     {
         Vector3 way = body.ModelPositions[limb.Joints[^1]] - body.ModelPositions[limb.Joints[Hip]];
         return Math.Acos(-way.Z / Vec.Length(way));
+    }
+
+    /// <summary>Across the foot of a creature as it is grown: the way in which its skin is thinnest, by the normals that most of it has.</summary>
+    private static Vector3 SoleOf(Creature creature, int foot)
+    {
+        Vector3 sole = Vector3.UnitY;
+        for (int round = 0; round < 20; round++)
+        {
+            Vector3 sum = Vector3.Zero;
+            for (int v = 0; v < creature.Mesh.Positions.Length; v++)
+            {
+                Vector3 normal = creature.Mesh.Normals[v];
+                sum += creature.Mesh.Weights[v].Joint0 == foot ? normal * Vec.Dot(normal, sole) : Vector3.Zero;
+            }
+
+            sole = Vec.Normalize(sum);
+        }
+
+        return sole;
     }
 
     private static CapsuleCollider[] BonesOf(Creature creature, LimbChain limb, int first) => creature.Bones.Where(bone => limb.Joints.Skip(first).Contains(bone.Joint)).ToArray();
