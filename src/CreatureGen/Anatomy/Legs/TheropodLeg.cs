@@ -60,7 +60,7 @@ internal static class TheropodLeg
             Bend = 1,
         },
         flight: new LegFlight(
-            tucked: new LegPosture(hip: 0.60, knee: 0.70, ankle: 0.45, ball: 0.90),
+            tucked: new LegPosture(hip: 1.15, knee: 0.10, ankle: 0.55, ball: 0.90),
             hanging: new LegPosture(hip: -0.10, knee: 0.45, ankle: 0.20, ball: 0.70),
             reaching: new LegPosture(hip: -0.45, knee: 0.10, ankle: -0.05, ball: -0.25)));
 }

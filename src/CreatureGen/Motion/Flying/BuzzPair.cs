@@ -12,8 +12,8 @@ namespace CreatureGen.Motion.Flying;
 /// <summary>A pair of thin insect wings: the tip draws a figure of eight, the blade flips at both ends of the stroke, and its outer part lags.</summary>
 internal sealed class BuzzPair
 {
-    private const double StrokeAngle = 0.52;
-    private const double MiddleOfBeat = 0.30;
+    private const double StrokeAngle = 0.64;
+    private const double MiddleOfBeat = 0.42;
     private const double Deviation = 0.16;
     private const double Flip = 0.70;
     private const double TipBend = 0.22;
