@@ -66,7 +66,7 @@ internal sealed class CarriedWings
         }
 
         var room = new FoldRoom(subject, body.Posture, AxialChain.Of(subject.Skeleton, subject.Bones).Length);
-        return new CarriedWings(subject.Skeleton, WingPair.Folded(subject, chains, FoldRange.Carried, room), chains);
+        return new CarriedWings(subject.Skeleton, WingPair.Folded(subject, chains, subject.HasMembranes ? FoldRange.CarriedMembranes : FoldRange.CarriedFeathers, room), chains);
     }
 
     /// <summary>Writes their joints.</summary>

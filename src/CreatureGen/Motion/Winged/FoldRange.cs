@@ -43,9 +43,19 @@ internal sealed record FoldRange(WingFold Usual, WingFold Min, WingFold Max, dou
         4000,
         0);
 
-    /// <summary>Of what never flies: the arm comes down over the shoulder and is drawn together, each bone hangs with its blade straight back along the flank, as feathers close like a fan and skin does between fingers, and the hand points back.
-    /// Laid back along the flank a blade would stand up behind its leading edge, like a boat or a tent.</summary>
-    public static FoldRange Carried { get; } = Stitched with
+    /// <summary>As <see cref="Stitched"/>, of feathers that never fly: close to the flank, hardly above the back and not out to the side, for they are long and what carries them is low or narrow.</summary>
+    public static FoldRange CarriedFeathers { get; } = Stitched with
+    {
+        Closeness = 4,
+        ProudCost = 60,
+        AsideCost = 200,
+        LowCost = 30,
+        CornerCost = 0.02,
+    };
+
+    /// <summary>Of skin that never flies: the arm comes down over the shoulder and is drawn together, each bone hangs with its blade straight back along the flank, as skin closes between fingers, and the hand points back.
+    /// Laid back along the flank a blade would stand up behind its leading edge like a tent.</summary>
+    public static FoldRange CarriedMembranes { get; } = Stitched with
     {
         Usual = new WingFold(Drop: 1.55, Spread: 0.40, Rise: -1.20, Converge: 0.10, Curl: 0.00, Lift: 0.30, Lean: 0.00, Wrap: -0.20, Length: 0.25) { Hangs = true },
         Min = new WingFold(Drop: 1.40, Spread: 0.00, Rise: -1.50, Converge: -0.20, Curl: -0.10, Lift: 0.15, Lean: -0.30, Wrap: -0.30, Length: 0.22),

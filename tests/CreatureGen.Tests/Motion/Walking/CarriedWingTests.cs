@@ -39,14 +39,14 @@ public sealed class CarriedWingTests
         }
     }
 
-    /// <summary>Laid back with their bones, blades stood up behind their leading edges: feathers were boats from ahead, membranes tents.</summary>
+    /// <summary>Laid back with their bones, membranes stood up behind their leading edges like tents.</summary>
     [Theory]
     [MemberData(nameof(Winged))]
-    public void Blades_of_folded_wings_go_back_rather_than_up(ulong seed)
+    public void Skin_of_folded_wings_goes_back_rather_than_up(ulong seed)
     {
         (Creature creature, CreatureAnimator animator) = Standing(seed);
         Vector3[] skin = SkinOf(creature, animator);
-        foreach (LimbChain wing in creature.Limbs.Where(limb => limb.Kind == LimbKind.Wing && limb.Side == Side.Left))
+        foreach (LimbChain wing in LeftWings(creature).Where(_ => animator.Profile.Subject.HasMembranes))
         {
             int[] blade = Enumerable.Range(0, skin.Length).Where(v => creature.Mesh.Weights[v].Joint0 == wing.Joints[1]).OrderBy(v => creature.Mesh.Positions[v].Z).ToArray();
             Vector3 way = Middle(blade[..(blade.Length / 4)]) - Middle(blade[^(blade.Length / 4)..]);
@@ -54,6 +54,22 @@ public sealed class CarriedWingTests
         }
 
         Vector3 Middle(int[] some) => some.Aggregate(Vector3.Zero, (sum, v) => sum + skin[v]) / some.Length;
+    }
+
+    /// <summary>Hung from the shoulder and drawn together to a quarter of their length, feathers were stumps of arms.</summary>
+    [Theory]
+    [MemberData(nameof(Winged))]
+    public void Feathers_of_folded_wings_lie_along_the_flank(ulong seed)
+    {
+        (Creature creature, CreatureAnimator animator) = Standing(seed);
+        Vector3[] skin = SkinOf(creature, animator);
+        foreach (LimbChain wing in LeftWings(creature).Where(_ => !animator.Profile.Subject.HasMembranes))
+        {
+            Vector3[] blade = Enumerable.Range(0, skin.Length).Where(v => wing.Joints.Contains(creature.Mesh.Weights[v].Joint0)).Select(v => skin[v]).ToArray();
+            float length = blade.Max(p => p.Z) - blade.Min(p => p.Z);
+            float height = blade.Max(p => p.Y) - blade.Min(p => p.Y);
+            Assert.True(length > 1.3f * height, FormattableString.Invariant($"{seed}: {length} m long, {height} m high"));
+        }
     }
 
     [Theory]
@@ -180,6 +196,8 @@ public sealed class CarriedWingTests
         Vector3 there = Rotation.Rotate(creature.Skeleton.ModelRotations[creature.Skeleton.Parents[shoulder]], arm);
         return MathF.Asin(there.Y / there.Length());
     }
+
+    private static IEnumerable<LimbChain> LeftWings(Creature creature) => creature.Limbs.Where(limb => limb.Kind == LimbKind.Wing && limb.Side == Side.Left);
 
     private static IEnumerable<int> JointsOf(Creature creature) => creature.Limbs.Where(limb => limb.Kind == LimbKind.Wing).SelectMany(limb => limb.Joints.Take(limb.Joints.Count - 1));
 
