@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Geometry;
 
 namespace CreatureGen.Appearance;
@@ -37,7 +38,8 @@ internal sealed class ChartPacking
     public float Density => density;
 
     /// <summary>Where a point of a chart lies in the picture, 0..1.</summary>
-    public Vector2 Map(int chart, Vector2 texcoord) => place[chart] + ((texcoord - low[chart]) * density);
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Vector2 Map(int chart, Vector2 texcoord) => place[chart] + ((texcoord - low[chart]) * new Vector2(density));
 
     /// <summary>The middle of a place for plain texels.</summary>
     /// <param name="swatch">0..7.</param>
@@ -110,8 +112,10 @@ internal sealed class ChartPacking
         return new ChartPacking(low, place, fits);
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static float Min(float bound, float a, float b, float c, float d) => Math.Min(bound, Math.Min(Math.Min(a, b), Math.Min(c, d)));
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static float Max(float bound, float a, float b, float c, float d) => Math.Max(bound, Math.Max(Math.Max(a, b), Math.Max(c, d)));
 
     /// <summary>Puts each chart as high up as it fits, left before right, under the outline of those already placed; false when one does not fit.</summary>

@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
 using CreatureGen.Geometry;
@@ -116,8 +117,10 @@ internal sealed class CoatPainter
         return new Vector3(Limit(colour.X), Limit(colour.Y), Limit(colour.Z));
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private PatternPlace PatternAt(in SkinPlace place) => new(place.Position, Run(place), place.Around);
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private float Grain(in SkinPlace place) => 0.94f + (0.12f * grains.At(place.Position * 9f));
 
     private Vector3 Skin(in SkinPlace place, Vector3 undercoat)

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace CreatureGen.Appearance;
 
 /// <summary>Random numbers of the cells of an integer lattice: the same cell always has the same number, whatever the order of questions.</summary>
@@ -20,6 +22,7 @@ internal static class LatticeHash
 
     /// <summary>Mixes the exclusive or of the four parts, or other bits for one more number of the same cell.</summary>
     /// <remarks>Mixing steps of C. Wellons, "Prospecting for hash functions" (2018), lowbias32.</remarks>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static uint Mix(uint h)
     {
         unchecked

@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Appearance;
@@ -44,11 +45,12 @@ internal sealed class MouthLine
         return (float)Math.Sqrt(nearest) / Muzzle;
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static float Squared(Vector3 p, Vector3 from, Vector3 to)
     {
         Vector3 along = to - from;
         float share = Scalar.Clamp(Vec.Dot(p - from, along) / Math.Max(Vec.Dot(along, along), 1e-12f), 0f, 1f);
-        Vector3 off = p - (from + (along * share));
+        Vector3 off = p - (from + Vec.Scale(along, share));
         return Vec.Dot(off, off);
     }
 }

@@ -34,7 +34,7 @@ internal sealed class ValueNoise
             Enter(x, y, z);
         }
 
-        Vector4 edges = left + (across * LatticeHash.Ease(point.X - x));
+        Vector4 edges = left + (across * new Vector4(LatticeHash.Ease(point.X - x)));
         float v = LatticeHash.Ease(point.Y - y);
         return Lerp(Lerp(edges.X, edges.Y, v), Lerp(edges.Z, edges.W, v), LatticeHash.Ease(point.Z - z));
     }

@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Anatomy;
 using CreatureGen.Maths;
 
@@ -101,12 +102,14 @@ internal sealed class BodyShape
     }
 
     /// <summary>Unit forward direction of the spine at a ring.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3 Forward(int ring) => new(0f, sine[ring], cosine[ring]);
 
     /// <summary>Unit dorsal direction of the spine at a ring.</summary>
     public Vector3 Up(int ring) => new(0f, cosine[ring], -sine[ring]);
 
     /// <summary>The spine's point at a ring.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3 Centre(int ring) => new(0f, (float)Y[ring], (float)Z[ring]);
 
     /// <summary>The ring, with its fraction, at a length of the spine from the nose.</summary>

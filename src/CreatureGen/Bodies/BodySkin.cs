@@ -109,7 +109,7 @@ internal sealed class BodySkin
                     lift += disc.Lift(i, x[j]);
                 }
 
-                Vector3 p = centre + (up * (y[j] + lift)) + (forward * along);
+                Vector3 p = centre + Vec.Scale(up, y[j] + lift) + Vec.Scale(forward, along);
                 p.X = j is 0 or Half ? 0f : x[j];
                 skin.grid[(i * BodyGrid.Segments) + j] = p;
                 skin.grid[(i * BodyGrid.Segments) + BodyGrid.MirrorSegment(j)] = j is 0 or Half ? p : Vec.Mirror(p);

@@ -1,4 +1,5 @@
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Anatomy;
 using CreatureGen.Geometry;
 using CreatureGen.Maths;
@@ -149,5 +150,6 @@ internal sealed class BodySurface
     }
 
     /// <summary>Left and right share the texture: the chart is folded along back and belly, and neither has a seam.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private Vector2 Texcoord(int ring, int segment) => new(halfGirth * segment / (BodyGrid.Segments / 2), (float)Skin.Shape.Arc[ring]);
 }

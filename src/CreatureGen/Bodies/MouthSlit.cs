@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Anatomy;
 using CreatureGen.Anatomy.Tails;
 using CreatureGen.Blueprints;
@@ -74,6 +75,7 @@ internal sealed class MouthSlit
     }
 
     /// <summary>The vertex of a ring and segment as the given cell of the body sees it: below the slit, the lower lip's copy.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int Vertex(BodySurface body, int ring, int segment, int cellRing, int cellSegment)
     {
         segment &= BodyGrid.Segments - 1;

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Anatomy;
 using CreatureGen.Appearance;
 using CreatureGen.Features;
@@ -135,6 +136,7 @@ internal static class MeshAssembler
     }
 
     /// <summary>The copy of a vertex at a place in the texture; a new one where there is none.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static int CopyAt(PooledList<SkinCopy> copies, int[] lastCopy, int vertex, Vector2 texcoord)
     {
         ReadOnlySpan<SkinCopy> known = copies.Items;
@@ -157,6 +159,7 @@ internal static class MeshAssembler
     /// <summary>A vertex of the surface at one of its places in the texture. What is known of a copy lies together, for it is asked together, four times a face.</summary>
     private readonly struct SkinCopy
     {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public SkinCopy(int source, int before, Vector2 texcoord)
         {
             Source = source;

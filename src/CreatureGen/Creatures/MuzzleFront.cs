@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Anatomy;
 using CreatureGen.Bodies;
 using CreatureGen.Geometry;
@@ -52,7 +53,9 @@ internal sealed class MuzzleFront
         return farthest;
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private Vector2 Seen(Vector3 point) => new(point.X, Vec.Dot(point, pad.Up));
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static float Area(Vector2 a, Vector2 b) => (a.X * b.Y) - (a.Y * b.X);
 }

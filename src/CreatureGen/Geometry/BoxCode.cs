@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace CreatureGen.Geometry;
 
 /// <summary>
@@ -49,10 +51,12 @@ internal static class BoxCode
     public static ulong Bare(ulong high) => high & ~(Guards | Stillness);
 
     /// <summary>One when two boxes have a cell in common and one of them is not still, otherwise zero. The upper corners are guarded.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static int Overlap(ulong lowA, ulong highA, ulong lowB, ulong highB) =>
         ((highA - lowB) & (highB - lowA) & (Guards | Stillness)) == Guards ? 1 : 0;
 
     /// <summary>One when no number of one triple equals any of the other, otherwise zero. Both are packed.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static int Distinct(ulong a, ulong b)
     {
         ulong x = (a & MaxCoordinate) * Ones;
@@ -62,6 +66,7 @@ internal static class BoxCode
     }
 
     /// <summary>Sum of the three sides of a box, in cells. The upper corner may be guarded.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static int Extent(ulong low, ulong high)
     {
         ulong size = (high | Guards) - low;
@@ -78,6 +83,7 @@ internal static class BoxCode
         return Spread(x) | (Spread(y) << 1) | (Spread(z) << 2);
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static ulong NotLess(ulong a, ulong b)
     {
         ulong guard = ((a | Guards) - b) & Guards;

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Geometry;
@@ -95,6 +96,7 @@ internal sealed class CrossingPairs
         return pairs.Count;
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static bool Moves(ReadOnlySpan<int> triangles, int t, ReadOnlySpan<bool> moved) => moved[triangles[3 * t]] || moved[triangles[(3 * t) + 1]] || moved[triangles[(3 * t) + 2]];
 
     /// <summary>Whether no triangle reaches across the plane x = 0 or lies in it.</summary>
@@ -114,6 +116,7 @@ internal sealed class CrossingPairs
         return true;
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static bool IsOnSide(ReadOnlySpan<Vector3> positions, ReadOnlySpan<int> triangles, int t, int sign) =>
         sign * positions[triangles[3 * t]].X > 0f || sign * positions[triangles[(3 * t) + 1]].X > 0f || sign * positions[triangles[(3 * t) + 2]].X > 0f;
 
@@ -174,6 +177,7 @@ internal sealed class CrossingPairs
         return (Vec.Min(a, Vec.Min(b, c)), Vec.Max(a, Vec.Max(b, c)));
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static bool Meet(Vector3 lowA, Vector3 highA, Vector3 lowB, Vector3 highB) =>
         lowA.X <= highB.X && highA.X >= lowB.X && lowA.Y <= highB.Y && highA.Y >= lowB.Y && lowA.Z <= highB.Z && highA.Z >= lowB.Z;
 
@@ -188,6 +192,7 @@ internal sealed class CrossingPairs
         }
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void Choose(ReadOnlySpan<int> triangles, int t)
     {
         triangles.Slice(3 * t, 3).CopyTo(corners.AsSpan(3 * count));

@@ -1,5 +1,6 @@
 using System;
 using System.Buffers;
+using System.Runtime.CompilerServices;
 
 namespace CreatureGen.Geometry;
 
@@ -26,12 +27,14 @@ internal sealed class PooledList<T> : IDisposable
     /// <exception cref="ArgumentOutOfRangeException">There is no such item.</exception>
     public T this[int index]
     {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         get
         {
             Check(index);
             return items[index];
         }
 
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         set
         {
             Check(index);
@@ -40,6 +43,7 @@ internal sealed class PooledList<T> : IDisposable
     }
 
     /// <summary>Adds an item at the end.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Add(T item)
     {
         if (Count == items.Length)
@@ -76,13 +80,16 @@ internal sealed class PooledList<T> : IDisposable
         }
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void Check(int index)
     {
         if ((uint)index >= (uint)Count)
         {
-            throw new ArgumentOutOfRangeException(nameof(index), FormattableString.Invariant($"index {index}; expected 0..{Count - 1}"));
+            Refuse(index);
         }
     }
+
+    private void Refuse(int index) => throw new ArgumentOutOfRangeException(nameof(index), FormattableString.Invariant($"index {index}; expected 0..{Count - 1}"));
 
     private void Grow(int min)
     {

@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 
 namespace CreatureGen.Geometry;
 
@@ -47,5 +48,6 @@ internal sealed class SurfaceAdjacency
     }
 
     /// <summary>The neighbours of a vertex.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public ReadOnlySpan<int> Of(int vertex) => new(neighbours, start[vertex], start[vertex + 1] - start[vertex]);
 }

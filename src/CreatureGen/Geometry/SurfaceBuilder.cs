@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Geometry;
@@ -48,6 +49,7 @@ internal struct VertexAddress
 /// <summary>A face of the surface: four vertices counter-clockwise seen from outside; a triangle repeats its third.</summary>
 internal readonly struct Face
 {
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Face(int a, int b, int c, int d, int chart)
     {
         A = a;
@@ -72,6 +74,7 @@ internal readonly struct Face
 /// <summary>The texture coordinates of a face's corners within its chart: u around, v along, metres.</summary>
 internal readonly struct FaceTexcoords
 {
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public FaceTexcoords(Vector2 a, Vector2 b, Vector2 c, Vector2 d)
     {
         A = a;
@@ -143,6 +146,7 @@ internal sealed class SurfaceBuilder : IDisposable
     }
 
     /// <summary>Adds a face of four vertices.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Quad(int a, int b, int c, int d, int chart, FaceTexcoords texcoords)
     {
         Faces.Add(new Face(a, b, c, d, chart));

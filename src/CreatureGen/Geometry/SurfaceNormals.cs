@@ -1,6 +1,7 @@
 using System;
 using System.Buffers;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Geometry;
@@ -108,6 +109,7 @@ internal static class SurfaceNormals
         AddCorner(sums.Slice(3 * k, 3), cx, cy, cz, scale * Angle(-((vx * wx) + (vy * wy) + (vz * wz)), area));
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void AddCorner(Span<double> sum, double x, double y, double z, double weight)
     {
         sum[0] += ((x * weight) + ToGrid) - ToGrid;
@@ -116,6 +118,7 @@ internal static class SurfaceNormals
     }
 
     /// <summary>The angle between two vectors, 0..π, from their scalar product and the length of their vector product: a quarter turn less or more the tangent's share of it.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static double Angle(double along, double across)
     {
         double size = Math.Abs(along);
@@ -125,6 +128,7 @@ internal static class SurfaceNormals
         return (0.5 * PortableMath.Pi) + (along < 0 ? turn : -turn);
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector3 Direction(double x, double y, double z, double none)
     {
         double length = Math.Sqrt((x * x) + (y * y) + (z * z));

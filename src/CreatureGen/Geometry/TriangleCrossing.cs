@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 
 namespace CreatureGen.Geometry;
 
@@ -93,6 +94,7 @@ internal static class TriangleCrossing
         return behind > 0 && behind < 3;
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static double Distance(Vector3 p, Vector3 o, double nx, double ny, double nz) =>
         (((double)p.X - o.X) * nx) + (((double)p.Y - o.Y) * ny) + (((double)p.Z - o.Z) * nz);
 

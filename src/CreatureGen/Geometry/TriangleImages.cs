@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Geometry;
@@ -67,6 +68,7 @@ internal sealed class TriangleImages
         return image;
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static bool Has(ReadOnlySpan<int> triangles, int t, int vertex) => triangles[3 * t] == vertex || triangles[(3 * t) + 1] == vertex || triangles[(3 * t) + 2] == vertex;
 
     private static bool AreImages(ReadOnlySpan<Vector3> positions, ReadOnlySpan<int> mirror, ReadOnlySpan<bool> moved)

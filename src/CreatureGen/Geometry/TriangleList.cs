@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 
 namespace CreatureGen.Geometry;
 
@@ -27,6 +28,7 @@ internal static class TriangleList
     }
 
     /// <summary>True when no coordinate is infinite or not a number.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool IsFinite(Vector3 p) => (p.X - p.X) + (p.Y - p.Y) + (p.Z - p.Z) == 0;
 
     /// <exception cref="ArgumentException">A position is not finite.</exception>

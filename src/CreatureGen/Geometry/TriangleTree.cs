@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 
 namespace CreatureGen.Geometry;
 
@@ -85,6 +86,7 @@ internal sealed class TriangleTree
         }
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static ulong Pack(int i, int j, int k) => BoxCode.Pack(i & BoxCode.MaxCoordinate, j & BoxCode.MaxCoordinate, k & BoxCode.MaxCoordinate);
 
     private void Grow(int vertices, int triangles)

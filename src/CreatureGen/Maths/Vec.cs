@@ -61,6 +61,7 @@ internal static class Vec
     public static Vector3 Lerp(Vector3 a, Vector3 b, float t) => a + Scale(b - a, t);
 
     /// <summary>The point on the other side of the sagittal plane x = 0.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3 Mirror(Vector3 a) => new(-a.X, a.Y, a.Z);
 
     /// <summary>A unit vector perpendicular to <paramref name="a"/>, always the same one: its product with the axis it leans on least.</summary>

@@ -54,7 +54,7 @@ internal readonly struct CapsuleFit
         {
             Vector3 d = points[i] - axis;
             along[i] = Vec.Dot(d, direction);
-            away[i] = Vec.Length(d - (direction * along[i]));
+            away[i] = Vec.Length(d - Vec.Scale(direction, along[i]));
         }
 
         float radius = Selection.Percentile(away, RadiusFraction);

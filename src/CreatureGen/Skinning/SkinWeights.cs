@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 
 namespace CreatureGen.Skinning;
 
@@ -14,6 +15,7 @@ public readonly struct SkinWeights
 
     /// <summary>Takes the four influences as they are.</summary>
     /// <exception cref="OverflowException">A joint has a number beyond those of 16 bits.</exception>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public SkinWeights(int joint0, int joint1, int joint2, int joint3, Vector4 weights)
     {
         this.joint0 = checked((short)joint0);

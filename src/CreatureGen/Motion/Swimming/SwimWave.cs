@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit.Chains;
 
@@ -73,6 +74,7 @@ internal sealed class SwimWave
     public double NoseReach => Reach(0);
 
     /// <summary>Displacement of a point at amplitude 1, metres.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public double Displacement(int point, double cosine, double sine) => (cosines[point] * cosine) + (sines[point] * sine);
 
     /// <summary>Displacement of the centre of mass at amplitude 1, metres.</summary>

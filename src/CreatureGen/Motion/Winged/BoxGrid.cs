@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 
 namespace CreatureGen.Motion.Winged;
 
@@ -50,6 +51,7 @@ internal sealed class BoxGrid
     }
 
     /// <summary>Numbers of the boxes that may hold a point, by rising numbers.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public ReadOnlySpan<int> At(Vector3 point)
     {
         float across = (point.X - left) / width;
@@ -63,7 +65,9 @@ internal sealed class BoxGrid
         return numbers.AsSpan(starts[cell], starts[cell + 1] - starts[cell]);
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private int Column(float x) => Math.Min((int)((x - left) / width), Cells - 1);
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private int Row(float z) => Math.Min((int)((z - rear) / length), Cells - 1);
 }

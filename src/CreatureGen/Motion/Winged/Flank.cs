@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
@@ -70,6 +71,7 @@ internal sealed class Flank
     }
 
     /// <summary>Height of the back at a length, metres; infinite where there is no body.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public float Back(float z)
     {
         int column = (int)Math.Floor((z - back) / cell);
@@ -140,7 +142,9 @@ internal sealed class Flank
         (trunk[weights.Joint0] ? 0f : weights.Weights.X) + (trunk[weights.Joint1] ? 0f : weights.Weights.Y)
         + (trunk[weights.Joint2] ? 0f : weights.Weights.Z) + (trunk[weights.Joint3] ? 0f : weights.Weights.W) < MaxFraction;
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private float At(int row, int column) => (uint)row < (uint)rows && (uint)column < Columns ? outward[(row * Columns) + column] : 0f;
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private int Cell(float offset, int count) => Math.Min(count - 1, Math.Max(0, (int)(offset / cell)));
 }

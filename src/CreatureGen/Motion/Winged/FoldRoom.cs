@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Anatomy;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Walking.Bodies;
@@ -133,6 +134,7 @@ internal sealed class FoldRoom
     /// <summary>What it costs a piece of a left wing to be in a leg or, for wings that lie over them, below one.</summary>
     /// <param name="point">Where it is.</param>
     /// <param name="range">How its kind of wing folds.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public double CostOfLegs(Vector3 point, FoldRange range)
     {
         double leg = 0;
@@ -149,6 +151,7 @@ internal sealed class FoldRoom
     }
 
     /// <summary>How far a point is off the body, as it stands and with its rump up: by its skin where that is seen from the side, elsewhere by its bones.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private double Off(Vector3 point)
     {
         float behind = Math.Max(0f, shoulder - point.Z);

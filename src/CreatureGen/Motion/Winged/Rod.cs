@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Motion.Winged;
@@ -27,11 +28,12 @@ internal readonly record struct Rod(Vector3 Start, Vector3 End, float Radius)
     }
 
     /// <summary>From its surface to a point, negative within.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public double Distance(Vector3 point)
     {
         Vector3 way = End - Start;
         float squared = Vec.LengthSquared(way);
         float along = squared > 0f ? Scalar.Clamp(Vec.Dot(point - Start, way) / squared, 0f, 1f) : 0f;
-        return Vec.Distance(point, Start + (way * along)) - Radius;
+        return Vec.Distance(point, Start + Vec.Scale(way, along)) - Radius;
     }
 }

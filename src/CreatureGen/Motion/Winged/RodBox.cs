@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 
 namespace CreatureGen.Motion.Winged;
 
@@ -17,10 +18,12 @@ internal readonly struct RodBox
     public Vector3 Max { get; }
 
     /// <summary>Whether a point is in it, or below it where that counts.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool MayHold(Vector3 point, bool below) =>
         point.X >= Min.X && point.X <= Max.X && point.Z >= Min.Z && point.Z <= Max.Z && point.Y <= Max.Y && (below || point.Y >= Min.Y);
 
     /// <summary>How far a point is out of it at the least; negative within.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public float Away(Vector3 point)
     {
         float x = Math.Max(Min.X - point.X, point.X - Max.X);

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 
 namespace CreatureGen.Motion.Winged;
 
@@ -66,5 +67,6 @@ internal sealed class RodRow
         return off;
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private double Nearer(int rod, Vector3 point, double off) => boxes[rod].Away(point) < off ? Math.Min(off, rods[rod].Distance(point)) : off;
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit.Chains;
@@ -201,6 +202,7 @@ internal sealed class WingSkin
         }
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static double Area(Vector3 a, Vector3 b, Vector3 c) => Vec.Length(Vec.Cross(b - a, c - a));
 
     private static T[] Some<T>(List<T> all, int max)
@@ -238,6 +240,7 @@ internal sealed class WingSkin
     }
 
     /// <summary>Whether a joint of the wing moves what has these weights.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static bool Moves(PairedChain chain, in SkinWeights weights)
     {
         for (int k = 0; k < chain.Count; k++)
@@ -304,7 +307,7 @@ internal sealed class WingSkin
             Vector3 at = Still;
             foreach (Pull pull in Pulls)
             {
-                at += (joints[pull.Bone] + Rotation.Rotate(turns[pull.Bone], pull.Arm)) * pull.Fraction;
+                at += Vec.Scale(joints[pull.Bone] + Rotation.Rotate(turns[pull.Bone], pull.Arm), pull.Fraction);
             }
 
             return at;
