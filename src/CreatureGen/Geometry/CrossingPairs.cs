@@ -69,8 +69,7 @@ internal sealed class CrossingPairs
         if (bounds.Min != searched.Min || bounds.Max != searched.Max)
         {
             // The tolerance is a part of the diagonal: all pairs may have changed.
-            searched = bounds;
-            return SelfIntersection.Find(positions, triangles, pairs, workspace);
+            return Find(positions, triangles, mirror);
         }
 
         for (int i = pairs.Count - 1; i >= 0; i--)
