@@ -59,6 +59,7 @@ internal sealed class ChartPacking
         var high = new Vector2[count];
         Array.Fill(low, new Vector2(float.MaxValue));
         Array.Fill(high, new Vector2(float.MinValue));
+        ReadOnlySpan<FaceTexcoords> texcoords = surface.Texcoords;
         for (int f = 0; f < surface.Faces.Length; )
         {
             // The faces of a chart mostly follow one another.
@@ -67,7 +68,7 @@ internal sealed class ChartPacking
             Vector2 max = high[chart];
             for (; f < surface.Faces.Length && surface.Faces[f].Chart == chart; f++)
             {
-                FaceTexcoords t = surface.Texcoords[f];
+                FaceTexcoords t = texcoords[f];
                 min = new Vector2(Min(min.X, t.A.X, t.B.X, t.C.X, t.D.X), Min(min.Y, t.A.Y, t.B.Y, t.C.Y, t.D.Y));
                 max = new Vector2(Max(max.X, t.A.X, t.B.X, t.C.X, t.D.X), Max(max.Y, t.A.Y, t.B.Y, t.C.Y, t.D.Y));
             }

@@ -32,7 +32,7 @@ public static class CreatureAssembler
         BlueprintValidator.ThrowIfInvalid(blueprint);
         float scale = (float)blueprint.Scale;
         GrownSurface grown = GrownSurface.Grow(blueprint);
-        Surface surface = grown.Surface;
+        using Surface surface = grown.Surface;
         observer?.StageFinished(AssemblyStage.Surface);
 
         Vector3[] normals = new Vector3[surface.Positions.Length];
@@ -57,6 +57,7 @@ public static class CreatureAssembler
 
         FinishedRig finished = body.Rig.Scaled(scale);
         MassProperties mass = Weigh(body.Surface, scale);
+        body.Surface.Dispose();
         IReadOnlyList<CapsuleCollider> bones = BoneCapsules.Fit(finished.Skeleton, full.Weights, full.Positions);
         CreatureMesh mesh = CreatureLods.Within(blueprint.TriangleBudget, full);
         var creature = new Creature(blueprint, mesh, finished.Skeleton, finished.Limbs, finished.AttachmentPoints, finished.Sockets, finished.Body, bones, mass, finished.StandingHeight, LocomotionSpeed.Of(blueprint, finished));

@@ -116,10 +116,11 @@ internal static class MeshAssembler
         int[] lastCopy = new int[surface.Positions.Length];
         Array.Fill(lastCopy, -1);
         int at = 0;
+        ReadOnlySpan<FaceTexcoords> texcoords = surface.Texcoords;
         for (int f = 0; f < surface.Faces.Length; f++)
         {
             Face face = surface.Faces[f];
-            FaceTexcoords t = surface.Texcoords[f];
+            FaceTexcoords t = texcoords[f];
             int a = CopyAt(copies, lastCopy, face.A, packing.Map(face.Chart, t.A));
             int b = CopyAt(copies, lastCopy, face.B, packing.Map(face.Chart, t.B));
             int c = CopyAt(copies, lastCopy, face.C, packing.Map(face.Chart, t.C));

@@ -19,12 +19,13 @@ internal sealed class MuzzleFront
     public MuzzleFront(Surface surface, NosePad pad)
     {
         this.pad = pad;
-        for (int t = 0; t < surface.Triangles.Length; t += 3)
+        ReadOnlySpan<int> corners = surface.Triangles;
+        for (int t = 0; t < corners.Length; t += 3)
         {
-            VertexAddress address = surface.Addresses[surface.Triangles[t]];
+            VertexAddress address = surface.Addresses[corners[t]];
             if (address.Ring <= StationRing.MuzzleFront && address.Appendage < 0)
             {
-                triangles.Add((surface.Positions[surface.Triangles[t]], surface.Positions[surface.Triangles[t + 1]], surface.Positions[surface.Triangles[t + 2]]));
+                triangles.Add((surface.Positions[corners[t]], surface.Positions[corners[t + 1]], surface.Positions[corners[t + 2]]));
             }
         }
     }

@@ -4,17 +4,22 @@ using System.Numerics;
 namespace CreatureGen.Geometry;
 
 /// <summary>A finished closed surface: every vertex is one point, whatever its texture.</summary>
-internal sealed class Surface
+/// <remarks>Its two longest lists lie in memory borrowed from the pool, as arrays of their own they would be a quarter of what brings about full collections of garbage. Who knows that nobody asks for them any more disposes of it.</remarks>
+internal sealed class Surface : IDisposable
 {
-    private Surface(Vector3[] positions, VertexAddress[] addresses, int[] mirror, Face[] faces, FaceTexcoords[] texcoords, int charts)
+    private readonly PooledList<FaceTexcoords> texcoords;
+    private readonly PooledList<int> triangles;
+
+    private Surface(Vector3[] positions, VertexAddress[] addresses, int[] mirror, Face[] faces, ReadOnlySpan<FaceTexcoords> texcoords, int charts)
     {
         Positions = positions;
         Addresses = addresses;
         Mirror = mirror;
         Faces = faces;
-        Texcoords = texcoords;
+        this.texcoords = new PooledList<FaceTexcoords>(texcoords.Length);
+        this.texcoords.AddRange(texcoords);
         Charts = charts;
-        Triangles = Triangulate(faces);
+        triangles = Triangulate(faces);
     }
 
     /// <summary>Model space, metres; later stages move the points in place until the creature is finished.</summary>
@@ -28,12 +33,12 @@ internal sealed class Surface
     public Face[] Faces { get; }
 
     /// <summary>One per face.</summary>
-    public FaceTexcoords[] Texcoords { get; }
+    public ReadOnlySpan<FaceTexcoords> Texcoords => texcoords.Items;
 
     public int Charts { get; }
 
     /// <summary>Vertex indices, three per triangle, in the order of the faces; a quad splits along its first and third corner.</summary>
-    public int[] Triangles { get; }
+    public ReadOnlySpan<int> Triangles => triangles.Items;
 
     /// <summary>Takes the vertices that faces use, in their order, and gives for each old vertex its new index or −1.</summary>
     public static Surface From(SurfaceBuilder builder, out int[] newIndex)
@@ -76,29 +81,29 @@ internal sealed class Surface
         }
 
         newIndex = index;
-        return new Surface(positions, addresses, mirror, faces, builder.Texcoords.ToArray(), builder.Charts);
+        return new Surface(positions, addresses, mirror, faces, builder.Texcoords.Items, builder.Charts);
     }
 
-    private static int[] Triangulate(Face[] faces)
+    /// <inheritdoc/>
+    public void Dispose()
     {
-        int count = 0;
-        foreach (Face face in faces)
-        {
-            count += face.D == face.C ? 3 : 6;
-        }
+        texcoords.Dispose();
+        triangles.Dispose();
+    }
 
-        int[] triangles = new int[count];
-        int at = 0;
+    private static PooledList<int> Triangulate(Face[] faces)
+    {
+        var triangles = new PooledList<int>(6 * faces.Length);
         foreach (Face face in faces)
         {
-            triangles[at++] = face.A;
-            triangles[at++] = face.B;
-            triangles[at++] = face.C;
+            triangles.Add(face.A);
+            triangles.Add(face.B);
+            triangles.Add(face.C);
             if (face.D != face.C)
             {
-                triangles[at++] = face.A;
-                triangles[at++] = face.C;
-                triangles[at++] = face.D;
+                triangles.Add(face.A);
+                triangles.Add(face.C);
+                triangles.Add(face.D);
             }
         }
 

@@ -1,4 +1,5 @@
 using System;
+using System.Buffers;
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Anatomy;
@@ -31,7 +32,9 @@ internal static class BoneCapsules
             start[j + 1] += start[j];
         }
 
-        var sorted = new Vector3[positions.Length];
+        // As long as the skin, and needed here alone.
+        Vector3[] sorted = ArrayPool<Vector3>.Shared.Rent(positions.Length);
+        float[] scratch = ArrayPool<float>.Shared.Rent(2 * positions.Length);
         int[] next = (int[])start.Clone();
         for (int v = 0; v < positions.Length; v++)
         {
@@ -40,7 +43,6 @@ internal static class BoneCapsules
 
         // A limb's capsule on the right is that on the left, seen in the mirror: worked out once.
         var fits = new CapsuleCollider?[joints];
-        float[] scratch = new float[2 * positions.Length];
         var capsules = new List<CapsuleCollider>(joints);
         for (int j = 0; j < joints; j++)
         {
@@ -56,6 +58,8 @@ internal static class BoneCapsules
             capsules.Add(source == j ? fit : new CapsuleCollider(j, Vec.Mirror(fit.Start), Vec.Mirror(fit.End), fit.Radius));
         }
 
+        ArrayPool<float>.Shared.Return(scratch);
+        ArrayPool<Vector3>.Shared.Return(sorted);
         return capsules.ToArray();
     }
 

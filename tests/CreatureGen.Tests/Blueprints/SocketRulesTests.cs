@@ -187,7 +187,7 @@ public sealed class SocketRulesTests
     /// <summary>Whether an edge of the grown surface is not run through exactly once in each direction.</summary>
     private static bool IsTorn(CreatureBlueprint blueprint)
     {
-        int[] triangles = GrownSurface.Grow(blueprint).Surface.Triangles;
+        int[] triangles = GrownSurface.Grow(blueprint).Surface.Triangles.ToArray();
         var edges = new Dictionary<(int, int), int>();
         for (int i = 0; i < triangles.Length; i += 3)
         {

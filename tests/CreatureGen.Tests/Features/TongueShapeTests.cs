@@ -83,7 +83,7 @@ public sealed class TongueShapeTests
         foreach (Vector3 direction in new[] { new Vector3(0.01f, 1f, 0.02f), new Vector3(0.02f, -1f, -0.01f), new Vector3(1f, 0.21f, 0.03f) })
         {
             int hits = 0;
-            int[] triangles = grown.Surface.Triangles;
+            int[] triangles = grown.Surface.Triangles.ToArray();
             for (int t = 0; t < triangles.Length; t += 3)
             {
                 bool lining = grown.Surface.Addresses[triangles[t]].Region == SurfaceRegion.Mouth

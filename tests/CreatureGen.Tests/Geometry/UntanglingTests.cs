@@ -40,8 +40,8 @@ public sealed class UntanglingTests
         {
             Surface surface = GrownSurface.Grow(BlueprintSampler.Sample(seed, kind)).Surface;
             int[] mirror = surface.Mirror;
-            var triangles = surface.Triangles.Chunk(3).Select(t => FromMin(t[0], t[1], t[2])).ToHashSet();
-            foreach (int[] t in surface.Triangles.Chunk(3))
+            var triangles = surface.Triangles.ToArray().Chunk(3).Select(t => FromMin(t[0], t[1], t[2])).ToHashSet();
+            foreach (int[] t in surface.Triangles.ToArray().Chunk(3))
             {
                 Assert.Contains(FromMin(mirror[t[0]], mirror[t[2]], mirror[t[1]]), triangles);
                 float[] x = Array.ConvertAll(t, v => surface.Positions[v].X);

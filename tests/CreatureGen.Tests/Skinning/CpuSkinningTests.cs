@@ -20,7 +20,7 @@ public sealed class CpuSkinningTests
     {
         RigSubject subject = RigSubject.Of(plan);
         Vector3[] rest = subject.Input.Surface.Positions;
-        Vector3[] normals = SkinFacts.Normals(rest, subject.Input.Surface.Triangles);
+        Vector3[] normals = SkinFacts.Normals(rest, subject.Input.Surface.Triangles.ToArray());
         (Vector3[] moved, Vector3[] movedNormals) = subject.Bend(subject.Weights, normals, _ => null);
         for (int v = 0; v < rest.Length; v++)
         {
@@ -47,7 +47,7 @@ public sealed class CpuSkinningTests
         RigSubject subject = RigSubject.Of(BodyPlan.Sprawling);
         Skeleton skeleton = subject.Skeleton;
         Surface surface = subject.Input.Surface;
-        Vector3[] normals = SkinFacts.Normals(surface.Positions, surface.Triangles);
+        Vector3[] normals = SkinFacts.Normals(surface.Positions, surface.Triangles.ToArray());
         (Quaternion[] rotations, Vector3[] positions) = Anything(skeleton);
         var matrices = new Matrix4x4[skeleton.Count];
         SkinMatrices.Fill(skeleton, new Pose(rotations, positions), matrices);
@@ -78,7 +78,7 @@ public sealed class CpuSkinningTests
         RigSubject subject = RigSubject.Of(BodyPlan.Sprawling);
         Skeleton skeleton = subject.Skeleton;
         Vector3[] rest = subject.Input.Surface.Positions[..101];
-        Vector3[] normals = SkinFacts.Normals(subject.Input.Surface.Positions, subject.Input.Surface.Triangles)[..101];
+        Vector3[] normals = SkinFacts.Normals(subject.Input.Surface.Positions, subject.Input.Surface.Triangles.ToArray())[..101];
         (Quaternion[] rotations, Vector3[] positions) = Anything(skeleton);
         var matrices = new Matrix4x4[skeleton.Count];
         SkinMatrices.Fill(skeleton, new Pose(rotations, positions), matrices);
@@ -134,7 +134,7 @@ public sealed class CpuSkinningTests
         RigSubject subject = RigSubject.Of(BodyPlan.Flapping);
         Vector3[] rest = subject.Input.Surface.Positions;
         Quaternion turn = Rotation.FromAxisAngle(Vec.Normalize(new Vector3(1f, 2f, -1f)), 1.1);
-        (Vector3[] moved, _) = subject.Bend(subject.Weights, SkinFacts.Normals(rest, subject.Input.Surface.Triangles), j => j.Role == JointRole.Root ? turn : null);
+        (Vector3[] moved, _) = subject.Bend(subject.Weights, SkinFacts.Normals(rest, subject.Input.Surface.Triangles.ToArray()), j => j.Role == JointRole.Root ? turn : null);
         for (int v = 0; v < rest.Length; v++)
         {
             Assert.True(Vec.Distance(Rotation.Rotate(turn, rest[v]), moved[v]) < 5e-6f);
@@ -146,7 +146,7 @@ public sealed class CpuSkinningTests
     {
         RigSubject subject = RigSubject.Of(BodyPlan.Fish);
         Vector3[] rest = subject.Input.Surface.Positions;
-        Vector3[] normals = SkinFacts.Normals(rest, subject.Input.Surface.Triangles);
+        Vector3[] normals = SkinFacts.Normals(rest, subject.Input.Surface.Triangles.ToArray());
         Quaternion[] rotations = subject.Skeleton.ModelRotations.ToArray();
         Vector3[] positions = subject.Skeleton.ModelPositions.ToArray();
         var matrices = new Matrix4x4[subject.Skeleton.Count];

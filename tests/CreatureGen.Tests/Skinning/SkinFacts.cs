@@ -108,7 +108,7 @@ internal static class SkinFacts
     public static (double Volume, double Inverted) Bend(RigSubject subject, SkinWeights[] weights, Func<Joint, Quaternion?> turn)
     {
         Vector3[] rest = subject.Input.Surface.Positions;
-        int[] triangles = subject.Input.Surface.Triangles;
+        int[] triangles = subject.Input.Surface.Triangles.ToArray();
         Vector3[] normals = Normals(rest, triangles);
         (Vector3[] moved, Vector3[] movedNormals) = subject.Bend(weights, normals, turn);
         int inverted = 0;
