@@ -65,7 +65,7 @@ internal static class Untangling
             return new UntanglingReport(0, 0, 0);
         }
 
-        var neighbours = new VertexNeighbours(positions.Length, triangles);
+        using var neighbours = new VertexNeighbours(positions.Length, triangles);
         Vector3[] best = positions.ToArray();
         bool[] moved = new bool[positions.Length];
         int fewest = before;

@@ -1,12 +1,14 @@
 using System;
+using System.Buffers;
 
 namespace CreatureGen.Geometry;
 
 /// <summary>The neighbours of each vertex of an index buffer along the edges of the triangles, each once, in a fixed order; the mesh may be open.</summary>
-internal sealed class VertexNeighbours
+/// <remarks>The long list lies in memory borrowed from the pool, which disposing gives back; nothing may be asked then.</remarks>
+internal sealed class VertexNeighbours : IDisposable
 {
     private readonly int[] start;
-    private readonly int[] neighbours;
+    private int[] neighbours;
 
     /// <summary>Reads an index buffer whose indices are in range.</summary>
     public VertexNeighbours(int vertices, ReadOnlySpan<int> triangles)
@@ -22,7 +24,7 @@ internal sealed class VertexNeighbours
             slots[v + 1] += slots[v];
         }
 
-        int[] all = new int[2 * triangles.Length];
+        int[] all = ArrayPool<int>.Shared.Rent(2 * triangles.Length);
         int[] next = (int[])slots.Clone();
         for (int t = 0; t + 2 < triangles.Length; t += 3)
         {
@@ -59,6 +61,16 @@ internal sealed class VertexNeighbours
 
     /// <summary>The number of vertices.</summary>
     public int Count => start.Length - 1;
+
+    /// <inheritdoc/>
+    public void Dispose()
+    {
+        if (neighbours.Length > 0)
+        {
+            ArrayPool<int>.Shared.Return(neighbours);
+            neighbours = Array.Empty<int>();
+        }
+    }
 
     /// <summary>The neighbours of a vertex.</summary>
     public ReadOnlySpan<int> Of(int vertex) => new(neighbours, start[vertex], start[vertex + 1] - start[vertex]);
