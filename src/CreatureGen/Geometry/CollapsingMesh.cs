@@ -308,22 +308,19 @@ internal sealed class CollapsingMesh : IDisposable
     /// <summary>Whether the surface ends at an edge to a point: where it does not, every neighbour after it in one triangle is before it in another.</summary>
     private bool EndsAround(int point)
     {
-        ReadOnlySpan<int> ring = corners.Of(point);
-        foreach (int c in ring)
+        mark++;
+        foreach (int c in corners.Of(point))
         {
-            bool goesOn = false;
-            for (int i = 0; i < ring.Length && !goesOn; i++)
-            {
-                goesOn = points[Previous(ring[i])] == points[Next(c)];
-            }
-
-            if (!goesOn)
-            {
-                return true;
-            }
+            marks[points[Previous(c)]] = mark;
         }
 
-        return false;
+        bool ends = false;
+        foreach (int c in corners.Of(point))
+        {
+            ends |= marks[points[Next(c)]] != mark;
+        }
+
+        return ends;
     }
 
     /// <summary>The drawn vertex that a triangle has at a point, −1 when it has none there.</summary>
