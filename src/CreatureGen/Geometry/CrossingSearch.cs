@@ -6,8 +6,8 @@ namespace CreatureGen.Geometry;
 
 /// <summary>Finds where what is left of a surface cuts through itself, piece by piece, though it did not in its finest state.</summary>
 /// <remarks>
-/// Of a creature cut to 6,000 triangles a third or less has changed: triangles that are as they were are only tried against those that are not, and the finest state is searched around what was found alone.
-/// The steps are the same as if all were searched, in half of the time.
+/// Of a creature cut to 6,000 triangles a third has changed in the mean: triangles that are as they were are only tried against those that are not, and the finest state is searched around what was found alone.
+/// What is found is the same as if all were searched, in half of the time.
 /// </remarks>
 internal sealed class CrossingSearch : IDisposable
 {
