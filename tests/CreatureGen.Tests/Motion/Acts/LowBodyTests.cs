@@ -143,6 +143,38 @@ public class LowBodyTests
         Assert.Equal(1f, profile.Acts.Find("Flinch").Gain);
     }
 
+    /// <summary>Its head stayed at the ground and hardly moved.</summary>
+    [Theory]
+    [InlineData(24353303UL)]
+    public void Who_eats_on_many_legs_raises_its_head_to_chew(ulong seed) => Assert.InRange(WayOfHead(Of(BodyPlan.Hexapod, seed), "Eat").Most.Y, 0.1f, 1f);
+
+    /// <summary>Where its feet left its trunk no room it did a third of all, of what head and tail do too.</summary>
+    [Theory]
+    [InlineData(24353305UL)]
+    [InlineData(24353300UL, Explicit = true)]
+    public void Head_and_tail_of_a_centipede_flinch_though_its_feet_hold_its_trunk(ulong seed) => Assert.Equal(1f, Of(BodyPlan.ManyLegged, seed).Acts.Find("Flinch").Gain);
+
+    /// <summary>How far the head goes from where it is as the body stands, leg lengths.</summary>
+    private static (Vector3 Least, Vector3 Most) WayOfHead(MotionProfile profile, string act)
+    {
+        CreatureAnimator animator = Performing(profile, act, out ActAbility ability);
+        int head = profile.Acts.Body.Head;
+        Vector3 stood = animator.ModelPose.Positions[head];
+        Vector3 least = Vector3.Zero;
+        Vector3 most = Vector3.Zero;
+        for (int i = 0; i < ability.Seconds * Rate; i++)
+        {
+            animator.Update(1f / Rate, default, FlatGround.Level);
+            Vector3 way = (animator.ModelPose.Positions[head] - stood) / profile.Acts.Body.Unit;
+            least = Vector3.Min(least, way);
+            most = Vector3.Max(most, way);
+        }
+
+        return (least, most);
+    }
+
+    private static MotionProfile Of(BodyPlan plan, ulong seed) => new(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking, BodyPlans = new([new BodyPlanWeight(plan, 1000)]) }));
+
     private static MotionProfile Strange(ulong seed) => new(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
 
     private static MotionProfile Crawler(ulong seed) => new(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking, BodyPlans = BodyPlanWeight.Only(BodyPlan.Legless) }));

@@ -3,7 +3,8 @@ namespace CreatureGen.Motion.Acts.Playing;
 /// <summary>How much of an act a body does.</summary>
 /// <param name="Whole">Factor on all that the body does.</param>
 /// <param name="Down">Factor on how far chest and hips come down, on top.</param>
-internal readonly record struct ActGain(float Whole, float Down)
+/// <param name="Trunk">Factor on how else the trunk goes, on top.</param>
+internal readonly record struct ActGain(float Whole, float Down, float Trunk = 1f)
 {
     /// <summary>All of it.</summary>
     public static ActGain Full => new(1f, 1f);
@@ -13,6 +14,7 @@ internal readonly record struct ActGain(float Whole, float Down)
     {
         ActChannel.Jaw or ActChannel.Lids or ActChannel.Ears or ActChannel.Reach or ActChannel.ForeFold or ActChannel.HindFold or ActChannel.OnFlank => 1f,
         ActChannel.ForeDown or ActChannel.HindDown => Whole * Down,
+        <= ActChannel.BackTwist => Whole * Trunk,
         _ => Whole,
     };
 }

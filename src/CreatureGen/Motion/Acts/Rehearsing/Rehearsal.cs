@@ -32,10 +32,12 @@ internal sealed class Rehearsal
 
     private const int Halvings = 5;
 
-    // What is tried, in order: less of the way down before less of all.
-    private static readonly ActGain[] gains = (from whole in new[] { 1f, 0.8f, 0.6f, 0.45f, 0.33f }
-                                               from down in new[] { 1f, 0.9f, 0.8f, 0.7f, 0.6f, 0.5f, 0.4f }
-                                               select new ActGain(whole, down)).ToArray();
+    // What is tried, in order: less of the way down before less of all; where legs do not fold less of the trunk between these: head and tail of a body on many feet move all the same.
+    private static readonly float[] downs = { 1f, 0.9f, 0.8f, 0.7f, 0.6f, 0.5f, 0.4f };
+    private static readonly ActGain[] foldedGains = (from whole in new[] { 1f, 0.8f, 0.6f, 0.45f, 0.33f } from down in downs select new ActGain(whole, down)).ToArray();
+    private static readonly ActGain[] gains = foldedGains[..downs.Length]
+        .Concat(from trunk in new[] { 0.6f, 0.3f } from down in new[] { 1f, 0.7f, 0.4f } select new ActGain(1f, down, trunk))
+        .Concat(foldedGains[downs.Length..]).ToArray();
 
     private static readonly ActGain[] reachingGains = { ActGain.Full, new(1f, 0.5f), new(0.7f, 0.7f), new(0.5f, 0.5f), new(0.35f, 0.5f) };
 
@@ -125,7 +127,7 @@ internal sealed class Rehearsal
         }
 
         string? refusal = null;
-        foreach (ActGain gain in act.Reaches ? reachingGains : gains)
+        foreach (ActGain gain in act.Reaches ? reachingGains : Folds(act) ? foldedGains : gains)
         {
             var aim = new ActAim(act.Tool, false, usual, act.SnoutDown, default);
             refusal = null;
