@@ -143,6 +143,16 @@ public class LowBodyTests
         Assert.Equal(1f, profile.Acts.Find("Flinch").Gain);
     }
 
+    /// <summary>Insects drew back and bit with their heads by .37 of a leg, which looked like nothing.</summary>
+    [Theory]
+    [InlineData(24353303UL)]
+    [InlineData(24353301UL, Explicit = true)]
+    public void Many_legs_draw_back_and_throw_the_body_ahead_as_it_bites(ulong seed)
+    {
+        (Vector3 least, Vector3 most) = WayOfHead(Of(BodyPlan.Hexapod, seed), "Bite");
+        Assert.InRange(most.Z - least.Z, 0.47f, 2f);
+    }
+
     /// <summary>Its head stayed at the ground and hardly moved.</summary>
     [Theory]
     [InlineData(24353303UL)]

@@ -31,8 +31,9 @@ internal static class Attacks
             new ActPhase("wrench", 3f).To(Pitch, 0.15f).With(new ActWave(NeckSide, 0.25f, 2f)).With(new ActWave(HeadRoll, 0.25f, 2f)).With(new ActWave(Roll, 0.25f, 2f, 0.2f)),
             new ActPhase("recover", 6f).To(Reach, 0f).To(Pitch, 0f).To(HeadPitch, 0f).To(TailPitch, 0f))
             .Needing(ActNeeds.Jaw).With(ActTool.Mouth).For(BodyBuild.Airborne),
-        BiteOnLegs(new ActPhase("wrench", 1.5f).With(new ActWave(BackSide, 0.12f, 1.5f)).With(new ActWave(HeadRoll, 0.25f, 1.5f))).For(BodyBuild.Standing),
-        BiteOnLegs(new ActPhase("wrench", 1.5f).With(new ActWave(HeadSide, 0.2f, 1.5f)).With(new ActWave(HeadRoll, 0.35f, 1.5f))).For(BodyBuild.ManyLegged | BodyBuild.Sprawling),
+        BiteOnLegs(-0.25f, 0.15f, new ActPhase("wrench", 1.5f).With(new ActWave(HeadSide, 0.2f, 1.5f)).With(new ActWave(HeadRoll, 0.35f, 1.5f))).For(BodyBuild.ManyLegged),
+        BiteOnLegs(0.10f, 0f, new ActPhase("wrench", 1.5f).With(new ActWave(BackSide, 0.12f, 1.5f)).With(new ActWave(HeadRoll, 0.25f, 1.5f))).For(BodyBuild.Standing),
+        BiteOnLegs(0.10f, 0f, new ActPhase("wrench", 1.5f).With(new ActWave(HeadSide, 0.2f, 1.5f)).With(new ActWave(HeadRoll, 0.35f, 1.5f))).For(BodyBuild.ManyLegged | BodyBuild.Sprawling),
         new Act("Gore", ActKind.Strike,
             new ActPhase("lower", 1.6f).To(Ahead, -0.22f).To(ForeDown, 0.18f).To(NeckPitch, -0.45f).To(HeadPitch, -0.35f).To(Ears, 0.8f).To(TailPitch, 0.4f).AtLeast(Seen).Then(ActMark.Commit),
             new ActPhase("strike", 0.6f, ActEase.In).To(Ahead, 0.05f).To(Reach, 0.8f),
@@ -95,9 +96,12 @@ internal static class Attacks
     };
 
     /// <summary>Drawn back over the feet, struck out, and wrenched to and fro and back: by the back, or by the head alone where low legs, or many, leave that no room.</summary>
-    private static Act BiteOnLegs(ActPhase wrench) => new Act("Bite", ActKind.Strike,
-        new ActPhase("draw", 1.4f).To(Ahead, -0.18f).To(ForeDown, 0.10f).To(HindDown, 0.08f).To(NeckPitch, 0.35f).To(Jaw, 0.25f).To(Ears, 0.6f).To(TailPitch, -0.15f).To(ArmsBend, 0.5f).AtLeast(Seen).Then(ActMark.Commit),
-        new ActPhase("strike", 0.55f, ActEase.In).To(Ahead, 0.04f).To(NeckPitch, 0f).To(Jaw, 1f).To(Reach, 0.85f).To(TailPitch, 0.4f).To(ArmsBend, 0f).To(ArmsAhead, 0.3f),
+    /// <param name="drawn">How far the chest is let down as it draws back: many legs raise it, whose necks are short.</param>
+    /// <param name="thrown">How far ahead of where it stands and down the trunk is thrown besides.</param>
+    /// <param name="wrench">What it does with what it has bitten.</param>
+    private static Act BiteOnLegs(float drawn, float thrown, ActPhase wrench) => new Act("Bite", ActKind.Strike,
+        new ActPhase("draw", 1.4f).To(Ahead, -0.18f).To(ForeDown, drawn).To(HindDown, 0.08f).To(NeckPitch, 0.35f).To(Jaw, 0.25f).To(Ears, 0.6f).To(TailPitch, -0.15f).To(ArmsBend, 0.5f).AtLeast(Seen).Then(ActMark.Commit),
+        new ActPhase("strike", 0.55f, ActEase.In).To(Ahead, 0.04f + thrown).To(ForeDown, 0.10f + thrown).To(NeckPitch, 0f).To(Jaw, 1f).To(Reach, 0.85f).To(TailPitch, 0.4f).To(ArmsBend, 0f).To(ArmsAhead, 0.3f),
         new ActPhase("shut", 0.22f, ActEase.Out).To(Jaw, 0.1f).To(Reach, 1f).To(Ears, 1f).To(Lids, 0.6f).Then(ActMark.Contact),
         wrench.To(Reach, 0.75f).To(Ahead, -0.05f).With(new ActWave(NeckSide, 0.2f, 1.5f, -0.1f)).With(new ActWave(TailSide, 0.4f, 1.5f, 0.3f)),
         new ActPhase("recover", 2.0f).To(Reach, 0f).To(Ahead, 0f).To(ForeDown, 0f).To(HindDown, 0f).To(Jaw, 0f).To(Lids, 0f).To(Ears, 0f).To(TailPitch, 0f).To(ArmsAhead, 0f))

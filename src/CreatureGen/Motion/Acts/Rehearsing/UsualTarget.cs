@@ -131,7 +131,8 @@ internal static class UsualTarget
     private static Vector3 Before(BodyBuild build) => build switch
     {
         BodyBuild.Legless => new Vector3(0f, 0.6f, -0.55f),
-        BodyBuild.Sprawling or BodyBuild.ManyLegged => new Vector3(0f, -0.02f, 0.2f),
+        BodyBuild.Sprawling => new Vector3(0f, -0.02f, 0.2f),
+        BodyBuild.ManyLegged => new Vector3(0f, -0.05f, 0.34f),
         BodyBuild.Airborne => new Vector3(0f, -0.1f, 2f),
         _ => new Vector3(0f, -0.12f, 0.4f),
     };
