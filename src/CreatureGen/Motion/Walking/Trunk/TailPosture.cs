@@ -17,6 +17,9 @@ internal static class TailPosture
     /// <summary>Part of the pelvis's roll that the tail takes back.</summary>
     private const float Steadiness = 0.5f;
 
+    /// <summary>How much farther than it was grown a tail with a sting is curled over the back on the way, radians, the more the nearer to its end: half curled it ends upright, a mast from the front and from behind.</summary>
+    private const float CurledSting = 1.2f;
+
     /// <summary>Writes the tail.</summary>
     public static void Pose(LeggedBody body, RestRotations turns, BodyPlacer placer, in BodyContext context, in Pose local)
     {
@@ -31,6 +34,7 @@ internal static class TailPosture
         float pitch = (FastTrigonometry.OfSine(z.Y) * body.Posture.TailSteadiness) + (factor * body.Traits.TailLift * placer.Flexion);
         float roll = -FastTrigonometry.Of(x.Y, y.Y) * Steadiness;
         float yaw = factor * ((-body.Traits.TailYaw * placer.PelvisYaw) + (TurnFraction * placer.TurnBend) + (Counterweight * placer.Balance) + context.Idle.TailSway);
+        float curl = body.Subject.HasSting ? 2 * CurledSting * Math.Min(context.Activity, 1f) / (count * Math.Max(count - 1, 1)) : 0f;
         float fraction = 1f / count;
         float lastYaw = float.NaN;
         float lastPitch = float.NaN;
@@ -39,7 +43,7 @@ internal static class TailPosture
         {
             float max = StandingPosture.TailFraction * body.TailLimits[i];
             float ownYaw = Scalar.Clamp(yaw * fraction, -max, max);
-            float ownPitch = Scalar.Clamp(pitch * fraction, -max, max);
+            float ownPitch = Scalar.Clamp((pitch * fraction) + (curl * i), -max, max);
             if (ownYaw != lastYaw || ownPitch != lastPitch)
             {
                 lastYaw = ownYaw;
