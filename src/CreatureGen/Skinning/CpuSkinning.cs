@@ -37,7 +37,7 @@ public static class CpuSkinning
             throw new ArgumentException(FormattableString.Invariant($"{count} weights, {positions.Length} and {movedPositions.Length} positions, {normals.Length} and {movedNormals.Length} normals; expected one of each per vertex"));
         }
 
-        // Multiplication and addition by component are exact on every platform.
+        // Multiplication and addition by component are exact on every platform. Numbers are put into all four places beforehand: an operator that takes one is a call in browsers.
         ReadOnlySpan<Rows> rows = MemoryMarshal.Cast<Matrix4x4, Rows>(matrices);
         int first = 0;
 #if NET
@@ -49,51 +49,55 @@ public static class CpuSkinning
         for (int i = first; i < count; i++)
         {
             ref readonly SkinWeights s = ref weights[i];
-            Vector4 w = s.Weights;
+            Vector4 weight = s.Weights;
             ref readonly Rows m = ref rows[s.Joint0];
             Vector4 r0 = m.R0;
             Vector4 r1 = m.R1;
             Vector4 r2 = m.R2;
             Vector4 r3 = m.R3;
-            if (w.Y > 0f)
+            if (weight.Y > 0f)
             {
-                r0 *= w.X;
-                r1 *= w.X;
-                r2 *= w.X;
-                r3 *= w.X;
+                var x = new Vector4(weight.X);
+                r0 *= x;
+                r1 *= x;
+                r2 *= x;
+                r3 *= x;
                 m = ref rows[s.Joint1];
-                r0 += m.R0 * w.Y;
-                r1 += m.R1 * w.Y;
-                r2 += m.R2 * w.Y;
-                r3 += m.R3 * w.Y;
-                if (w.Z > 0f)
+                var y = new Vector4(weight.Y);
+                r0 += m.R0 * y;
+                r1 += m.R1 * y;
+                r2 += m.R2 * y;
+                r3 += m.R3 * y;
+                if (weight.Z > 0f)
                 {
                     m = ref rows[s.Joint2];
-                    r0 += m.R0 * w.Z;
-                    r1 += m.R1 * w.Z;
-                    r2 += m.R2 * w.Z;
-                    r3 += m.R3 * w.Z;
-                    if (w.W > 0f)
+                    var z = new Vector4(weight.Z);
+                    r0 += m.R0 * z;
+                    r1 += m.R1 * z;
+                    r2 += m.R2 * z;
+                    r3 += m.R3 * z;
+                    if (weight.W > 0f)
                     {
                         m = ref rows[s.Joint3];
-                        r0 += m.R0 * w.W;
-                        r1 += m.R1 * w.W;
-                        r2 += m.R2 * w.W;
-                        r3 += m.R3 * w.W;
+                        var w = new Vector4(weight.W);
+                        r0 += m.R0 * w;
+                        r1 += m.R1 * w;
+                        r2 += m.R2 * w;
+                        r3 += m.R3 * w;
                     }
                 }
             }
 
             ref readonly Vector3 p = ref positions[i];
-            Vector4 q = (r0 * p.X) + (r1 * p.Y) + (r2 * p.Z) + r3;
+            Vector4 q = (r0 * new Vector4(p.X)) + (r1 * new Vector4(p.Y)) + (r2 * new Vector4(p.Z)) + r3;
             movedPositions[i] = new Vector3(q.X, q.Y, q.Z);
             ref readonly Vector3 n = ref normals[i];
-            Vector4 d = (r0 * n.X) + (r1 * n.Y) + (r2 * n.Z);
+            Vector4 d = (r0 * new Vector4(n.X)) + (r1 * new Vector4(n.Y)) + (r2 * new Vector4(n.Z));
             Vector4 squares = d * d;
             float squared = squares.X + squares.Y + squares.Z;
             if (squared > 0f)
             {
-                d *= 1f / (float)Math.Sqrt(squared);
+                d *= new Vector4(1f / (float)Math.Sqrt(squared));
                 movedNormals[i] = new Vector3(d.X, d.Y, d.Z);
             }
             else

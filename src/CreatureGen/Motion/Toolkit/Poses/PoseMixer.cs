@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit.Poses;
@@ -83,7 +84,7 @@ public readonly ref struct PoseMixer
             Finite.RequireWithin(mask[i], 0f, 1f, nameof(mask));
             float w = weight * mask[i];
             Add(pose.Rotations[i], w, ref result.Rotations[i]);
-            result.Positions[i] += pose.Positions[i] * w;
+            result.Positions[i] += Vec.Scale(pose.Positions[i], w);
             totals[i] += w;
         }
     }
@@ -124,6 +125,7 @@ public readonly ref struct PoseMixer
     }
 
     /// <summary>Adds a rotation to a sum, on its side.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Add(Quaternion q, float weight, ref Quaternion sum)
     {
         float dot = ((sum.X * q.X) + (sum.Y * q.Y)) + ((sum.Z * q.Z) + (sum.W * q.W));
@@ -164,6 +166,7 @@ public readonly ref struct PoseMixer
     }
 
     /// <summary>Divides one joint by its weight; gives 0, or NaN if it is not finite.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private float FinishOne(int joint, in Pose fallback)
     {
         float total = totals[joint];
@@ -175,14 +178,14 @@ public readonly ref struct PoseMixer
             float rest = MinTotal - total;
             float s = (q.X * f.X) + (q.Y * f.Y) + (q.Z * f.Z) + (q.W * f.W) < 0f ? -rest : rest;
             q = new Quaternion(q.X + (f.X * s), q.Y + (f.Y * s), q.Z + (f.Z * s), q.W + (f.W * s));
-            p += fallback.Positions[joint] * rest;
+            p += Vec.Scale(fallback.Positions[joint], rest);
             total = MinTotal;
         }
 
         float squared = ((q.X * q.X) + (q.Y * q.Y)) + ((q.Z * q.Z) + (q.W * q.W));
         float scale = 1f / (float)Math.Sqrt(squared);
         q = new Quaternion(q.X * scale, q.Y * scale, q.Z * scale, q.W * scale);
-        p *= 1f / total;
+        p = Vec.Scale(p, 1f / total);
         result.Rotations[joint] = q;
         result.Positions[joint] = p;
 

@@ -5,7 +5,7 @@ using System.Runtime.InteropServices;
 namespace CreatureGen.Motion.Toolkit.Poses;
 
 /// <summary>Weighted sums of lists of numbers, four at a time.</summary>
-/// <remarks>Each number is worked out by the same operations in the same order as alone, so the bits are the same.</remarks>
+/// <remarks>Each number is worked out by the same operations in the same order as alone, so the bits are the same. Weights are put into all four places beforehand: an operator that takes a number is a call in browsers.</remarks>
 internal static class WeightedSums
 {
     /// <summary>a·u + b·v; gives 0, or NaN if a sum is not finite.</summary>
@@ -22,10 +22,12 @@ internal static class WeightedSums
         ReadOnlySpan<Vector4> foursOfA = MemoryMarshal.Cast<float, Vector4>(a).Slice(0, fours.Length);
         ReadOnlySpan<Vector4> foursOfB = MemoryMarshal.Cast<float, Vector4>(b).Slice(0, fours.Length);
         Vector4 noughts = Vector4.Zero;
+        var us = new Vector4(u);
+        var vs = new Vector4(v);
         for (int i = 0; i < fours.Length; i++)
         {
-            Vector4 sum = (foursOfA[i] * u) + (foursOfB[i] * v);
-            noughts += sum * 0f;
+            Vector4 sum = (foursOfA[i] * us) + (foursOfB[i] * vs);
+            noughts += sum * Vector4.Zero;
             fours[i] = sum;
         }
 
@@ -49,9 +51,10 @@ internal static class WeightedSums
         added = added.Slice(0, sums.Length);
         Span<Vector4> fours = MemoryMarshal.Cast<float, Vector4>(sums);
         ReadOnlySpan<Vector4> foursAdded = MemoryMarshal.Cast<float, Vector4>(added).Slice(0, fours.Length);
+        var weights = new Vector4(weight);
         for (int i = 0; i < fours.Length; i++)
         {
-            fours[i] = Vector4.Zero + (foursAdded[i] * weight);
+            fours[i] = Vector4.Zero + (foursAdded[i] * weights);
         }
 
         for (int i = fours.Length * 4; i < sums.Length; i++)
@@ -69,9 +72,10 @@ internal static class WeightedSums
         added = added.Slice(0, sums.Length);
         Span<Vector4> fours = MemoryMarshal.Cast<float, Vector4>(sums);
         ReadOnlySpan<Vector4> foursAdded = MemoryMarshal.Cast<float, Vector4>(added).Slice(0, fours.Length);
+        var weights = new Vector4(weight);
         for (int i = 0; i < fours.Length; i++)
         {
-            fours[i] = fours[i] + (foursAdded[i] * weight);
+            fours[i] = fours[i] + (foursAdded[i] * weights);
         }
 
         for (int i = fours.Length * 4; i < sums.Length; i++)
