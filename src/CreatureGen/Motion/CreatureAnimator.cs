@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
-using System.Runtime.CompilerServices;
 using CreatureGen.Blueprints;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
@@ -127,18 +126,10 @@ public sealed partial class CreatureAnimator
     }
 
     /// <summary>The pose in the parents' space, as of the last update. It may be changed before it is used; the next update writes it anew.</summary>
-    public Pose LocalPose
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => new(localRotations, localPositions);
-    }
+    public Pose LocalPose => new(localRotations, localPositions);
 
     /// <summary>The pose in model space, as of the last update.</summary>
-    public Pose ModelPose
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => new(modelRotations, modelPositions);
-    }
+    public Pose ModelPose => new(modelRotations, modelPositions);
 
     /// <summary>What happened in the last update.</summary>
     public ReadOnlySpan<MotionEvent> Events => events.Items;

@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit.Poses;
@@ -65,7 +66,7 @@ public static class PoseBlend
         {
             Quaternion a = from.Rotations[i];
             Quaternion b = to.Rotations[i];
-            Vector3 p = (from.Positions[i] * (1f - weight)) + (to.Positions[i] * weight);
+            Vector3 p = Vec.Scale(from.Positions[i], 1f - weight) + Vec.Scale(to.Positions[i], weight);
             nought += ((a.X + a.Y + a.Z + a.W) + (b.X + b.Y + b.Z + b.W) + (p.X + p.Y + p.Z)) * 0f;
             result.Rotations[i] = Rotation.Slerp(a, b, weight);
             result.Positions[i] = p;
@@ -109,7 +110,7 @@ public static class PoseBlend
         {
             float t = weight * Scalar.Clamp(mask[i], 0f, 1f);
             nought += Between(a[i], b[i], t, out rotations[i]);
-            Vector3 place = (p[i] * (1f - t)) + (q[i] * t);
+            Vector3 place = Vec.Scale(p[i], 1f - t) + Vec.Scale(q[i], t);
             nought += (place.X + place.Y + place.Z) * 0f;
             positions[i] = place;
         }
@@ -118,15 +119,18 @@ public static class PoseBlend
     }
 
     /// <summary>The unit quaternion between two; 0, or NaN if it is none. By component, which is exact on every platform.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static float Between(Vector4 a, Vector4 b, float t, out Vector4 result)
     {
         Vector4 product = a * b;
         float v = (product.X + product.Y) + (product.Z + product.W) < 0f ? -t : t;
-        Vector4 sum = (a * (1f - t)) + (b * v);
+
+        // Numbers in all four places: an operator that takes one is a call in browsers.
+        Vector4 sum = (a * new Vector4(1f - t)) + (b * new Vector4(v));
         Vector4 squares = sum * sum;
         float squared = (squares.X + squares.Y) + (squares.Z + squares.W);
         float scale = 1f / (float)Math.Sqrt(squared);
-        result = sum * scale;
+        result = sum * new Vector4(scale);
 
         // A length that is nought or infinite leaves no rotation.
         return (squared + scale) * 0f;
