@@ -229,7 +229,7 @@ internal sealed class WingSkin
         float max = 0f;
         for (int k = 0; k < fractions.Length; k++)
         {
-            fractions[k] = FractionOf(chain.Limb.Joints[k], weights);
+            fractions[k] = FractionOf(chain.JointAt(k), weights);
             sum += fractions[k];
             max = Math.Max(max, fractions[k]);
         }
@@ -245,7 +245,7 @@ internal sealed class WingSkin
     {
         for (int k = 0; k < chain.Count; k++)
         {
-            int joint = chain.Limb.Joints[k];
+            int joint = chain.JointAt(k);
             if (weights.Joint0 == joint || weights.Joint1 == joint || weights.Joint2 == joint || weights.Joint3 == joint)
             {
                 return true;

@@ -34,6 +34,10 @@ internal sealed class PairedChain
     /// <summary>Number of joints that turn.</summary>
     public int Count => left.Length;
 
+    /// <summary>A joint that turns, of the left limb.</summary>
+    /// <param name="k">0 up to their number.</param>
+    public int JointAt(int k) => left[k].Joint;
+
     /// <summary>Rest positions of the joints and the end, left, model space.</summary>
     public System.ReadOnlySpan<Vector3> Points => points;
 

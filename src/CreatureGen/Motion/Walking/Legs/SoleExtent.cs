@@ -76,9 +76,14 @@ internal readonly struct SoleExtent
         int[] legOf = new int[skeleton.Count];
         Array.Fill(legOf, -1);
         var ahead = new Vector3[legs.Length];
+        var balls = new Vector3[legs.Length];
+        var heights = new float[legs.Length];
         for (int i = 0; i < legs.Length; i++)
         {
-            Vector3 toes = skeleton.ModelPositions[legs[i].Joints[5]] - skeleton.ModelPositions[legs[i].Joints[4]];
+            Vector3 ball = skeleton.ModelPositions[legs[i].Joints[4]];
+            balls[i] = ball;
+            heights[i] = Vec.Distance(skeleton.ModelPositions[legs[i].Joints[1]], new Vector3(ball.X, 0f, ball.Z));
+            Vector3 toes = skeleton.ModelPositions[legs[i].Joints[5]] - ball;
             toes.Y = 0f;
             ahead[i] = Vec.Normalize(toes, Vector3.UnitZ);
             for (int k = 3; k <= 5; k++)
@@ -105,9 +110,9 @@ internal readonly struct SoleExtent
                 continue;
             }
 
-            Vector3 ball = skeleton.ModelPositions[legs[leg].Joints[4]];
+            Vector3 ball = balls[leg];
             float along = Vec.Dot(positions[v] - ball, ahead[leg]);
-            if (positions[v].Y < BumpFraction * Vec.Distance(skeleton.ModelPositions[legs[leg].Joints[1]], new Vector3(ball.X, 0f, ball.Z)))
+            if (positions[v].Y < BumpFraction * heights[leg])
             {
                 bumpers[leg] = (Math.Max(bumpers[leg].Fore, along), Math.Max(bumpers[leg].Aft, -along));
             }
@@ -127,6 +132,7 @@ internal readonly struct SoleExtent
         }
 
         var tips = new ToeTip.Profile[legs.Length];
+        int[] ankles = Array.ConvertAll(legs, leg => leg.Joints[3]);
         bool[] creased = Array.ConvertAll(legs, leg => LegGaitParameters.Of(leg.Archetype!.Value).Kind.Outline.End == FootEnd.Toes);
         Rim[] rims = Array.ConvertAll(ahead, _ => new Rim());
         for (int v = 0; v < positions.Length; v++)
@@ -137,16 +143,15 @@ internal readonly struct SoleExtent
                 continue;
             }
 
-            Vector3 ball = skeleton.ModelPositions[legs[leg].Joints[4]];
-            Vector3 hip = skeleton.ModelPositions[legs[leg].Joints[1]];
+            Vector3 ball = balls[leg];
             bool firm = weights[v].Weights.X > Firm;
-            if (firm && weights[v].Joint0 != legs[leg].Joints[3])
+            bool hinder = weights[v].Joint0 == ankles[leg];
+            if (firm && !hinder)
             {
                 tips[leg].Add(Vec.Dot(positions[v] - ball, ahead[leg]), positions[v].Y);
             }
 
-            bool down = positions[v].Y < surface[leg] + (LayerFraction * Vec.Distance(hip, new Vector3(ball.X, 0f, ball.Z)));
-            bool hinder = weights[v].Joint0 == legs[leg].Joints[3];
+            bool down = positions[v].Y < surface[leg] + (LayerFraction * heights[leg]);
             if (down && (firm || !(hinder && creased[leg])) && WeightOf(weights[v], legOf, leg) > Firm)
             {
                 // Skin between its joints is sole as well, but for the crease in which a heel rises from toes.
@@ -200,7 +205,7 @@ internal readonly struct SoleExtent
                     Hinder = hinder ? Hinder | (1 << i) : Hinder & ~(1 << i);
                 }
 
-                direction = new Vector3(direction.X + direction.Z, 0f, direction.Z - direction.X) * OneOverRootTwo;
+                direction = Vec.Scale(new Vector3(direction.X + direction.Z, 0f, direction.Z - direction.X), OneOverRootTwo);
             }
         }
     }
