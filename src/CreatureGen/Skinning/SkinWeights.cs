@@ -14,7 +14,7 @@ public readonly struct SkinWeights
     private readonly short joint3;
 
     /// <summary>Takes the four influences as they are.</summary>
-    /// <exception cref="OverflowException">A joint has a number beyond those of 16 bits.</exception>
+    /// <exception cref="OverflowException">A joint has a number outside -32,768 to 32,767.</exception>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public SkinWeights(int joint0, int joint1, int joint2, int joint3, Vector4 weights)
     {
