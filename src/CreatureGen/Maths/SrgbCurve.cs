@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 
 namespace CreatureGen.Maths;
 
@@ -12,6 +13,7 @@ internal static class SrgbCurve
     private static readonly float[] Decoded = MakeDecoded();
 
     /// <summary>The byte for linear light, which is clamped to 0..1.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static byte Encode(float linear)
     {
         float scaled = (linear * (Steps - 1)) + 0.5f;

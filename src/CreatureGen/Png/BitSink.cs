@@ -1,5 +1,6 @@
 using System;
 using System.Buffers;
+using System.Buffers.Binary;
 
 namespace CreatureGen.Png;
 
@@ -19,28 +20,25 @@ internal sealed class BitSink : IDisposable
     /// <summary>All whole bytes so far; gone when this is disposed of.</summary>
     public ReadOnlySpan<byte> Bytes => bytes.AsSpan(0, count);
 
-    /// <summary>Appends the lowest <paramref name="length"/> bits (at most 32), whose higher bits are zero.</summary>
-    public void Write(uint bits, int length)
+    /// <summary>Makes room for so many bits more, which <see cref="Write"/> takes for granted.</summary>
+    public void Reserve(long bits) => ReserveBytes(checked((int)((bits + 7) / 8) + sizeof(ulong)));
+
+    /// <summary>Appends the lowest <paramref name="length"/> bits (at most 56), whose higher bits are zero, where room is reserved for them.</summary>
+    public void Write(ulong bits, int length)
     {
-        pending |= (ulong)bits << pendingBits;
+        // Eight bytes are stored, of which those count that are whole: the others are stored again with what follows.
+        pending |= bits << pendingBits;
         pendingBits += length;
-        if (pendingBits >= 32)
-        {
-            Reserve(4);
-            bytes[count] = (byte)pending;
-            bytes[count + 1] = (byte)(pending >> 8);
-            bytes[count + 2] = (byte)(pending >> 16);
-            bytes[count + 3] = (byte)(pending >> 24);
-            count += 4;
-            pending >>= 32;
-            pendingBits -= 32;
-        }
+        BinaryPrimitives.WriteUInt64LittleEndian(bytes.AsSpan(count), pending);
+        count += pendingBits >> 3;
+        pending >>= pendingBits & ~7;
+        pendingBits &= 7;
     }
 
     /// <summary>Fills the last byte with zero bits.</summary>
     public void Align()
     {
-        Reserve(8);
+        ReserveBytes(8);
         while (pendingBits > 0)
         {
             bytes[count++] = (byte)pending;
@@ -55,7 +53,7 @@ internal sealed class BitSink : IDisposable
     /// <summary>Appends whole bytes; the sink must be aligned.</summary>
     public void Append(ReadOnlySpan<byte> more)
     {
-        Reserve(more.Length);
+        ReserveBytes(more.Length);
         more.CopyTo(bytes.AsSpan(count));
         count += more.Length;
     }
@@ -75,7 +73,7 @@ internal sealed class BitSink : IDisposable
         }
     }
 
-    private void Reserve(int more)
+    private void ReserveBytes(int more)
     {
         if (bytes.Length - count < more)
         {

@@ -51,6 +51,7 @@ internal sealed class DeflateBlock
         long dynamicBits = 14 + (3 * lengthsUsed) + RunBits() + extra + BodyBits(literals.Lengths, distances.Lengths);
         long fixedBits = extra + BodyBits(DeflateTables.FixedLiteralLengths, DeflateTables.FixedDistanceLengths);
         long storedBits = (source.Length * 8L) + (40L * (1 + (source.Length / LongestStored)));
+        sink.Reserve(Math.Min(Math.Min(dynamicBits, fixedBits), storedBits) + 64);
         uint last = place == DeflateBlockPlace.Last ? 1u : 0u;
         if (storedBits < Math.Min(dynamicBits, fixedBits))
         {
@@ -71,6 +72,13 @@ internal sealed class DeflateBlock
             WriteHeader(sink, literalUsed, distanceUsed, lengthsUsed);
             WriteBody(tokens, sink, literals.Lengths, literals.Codes, distances.Lengths, distances.Codes);
         }
+    }
+
+    /// <summary>Writes an inner block of no bytes, after which the stream goes on at a whole byte.</summary>
+    public static void WriteNothing(BitSink sink)
+    {
+        sink.Reserve(64);
+        WriteStored(default, sink, 0);
     }
 
     private static int LastUsed(ReadOnlySpan<byte> lengths, int min)
@@ -111,12 +119,16 @@ internal sealed class DeflateBlock
             int length = token >> 16;
             int index = DeflateTables.LengthIndex(length);
             int symbol = 257 + index;
-            int bits = literalLengths[symbol];
-            sink.Write(literalCodes[symbol] | (uint)((length - DeflateTables.ShortestLength(index)) << bits), bits + DeflateTables.ExtraLengthBits(index));
+            ulong bits = literalCodes[symbol];
+            int count = literalLengths[symbol];
+            bits |= (ulong)(uint)(length - DeflateTables.ShortestLength(index)) << count;
+            count += DeflateTables.ExtraLengthBits(index);
             int distance = (token & 0xFFFF) + 1;
             symbol = DeflateTables.DistanceSymbol(distance);
-            bits = distanceLengths[symbol];
-            sink.Write(distanceCodes[symbol] | (uint)((distance - DeflateTables.ShortestDistance(symbol)) << bits), bits + DeflateTables.ExtraDistanceBits(symbol));
+            bits |= (ulong)distanceCodes[symbol] << count;
+            count += distanceLengths[symbol];
+            bits |= (ulong)(uint)(distance - DeflateTables.ShortestDistance(symbol)) << count;
+            sink.Write(bits, count + DeflateTables.ExtraDistanceBits(symbol));
         }
 
         sink.Write(literalCodes[DeflateTables.EndOfBlock], literalLengths[DeflateTables.EndOfBlock]);

@@ -38,7 +38,7 @@ internal static class PngFilter
         int count = checked((rowBytes + 1) * rows);
         byte[] filtered = ArrayPool<byte>.Shared.Rent(count);
         Apply(bytes, stride, rowBytes, rows, bytesPerPixel, filtered);
-        BitSink packed = Deflater.Compress(filtered.AsSpan(0, count));
+        BitSink packed = Deflater.Compress(filtered.AsMemory(0, count));
         ArrayPool<byte>.Shared.Return(filtered);
         return packed;
     }

@@ -35,6 +35,40 @@ public sealed class ChecksumTests
         }
     }
 
+    [Fact]
+    public void Adler_of_two_pieces_joins_to_that_of_the_whole()
+    {
+        byte[] bytes = Enumerable.Repeat((byte)255, 200_000).ToArray();
+        new Random(5).NextBytes(bytes.AsSpan(0, 100_000));
+        uint whole = Adler32.Of(bytes);
+        foreach (int cut in new[] { 0, 1, 7, 99_999, 131_072, 199_999, 200_000 })
+        {
+            Assert.Equal(whole, Adler32.Joined(Adler32.Of(bytes.AsSpan(0, cut)), Adler32.Of(bytes.AsSpan(cut)), bytes.Length - cut));
+        }
+    }
+
+    [Theory]
+    [InlineData(1)]
+    [InlineData(7)]
+    [InlineData(8)]
+    [InlineData(9)]
+    [InlineData(5560)]
+    [InlineData(50_003)]
+    public void Adler_is_what_one_byte_after_the_other_gives(int length)
+    {
+        byte[] bytes = new byte[length];
+        new Random(length).NextBytes(bytes);
+        ulong a = 1;
+        ulong b = 0;
+        foreach (byte value in bytes)
+        {
+            a = (a + value) % 65521;
+            b = (b + a) % 65521;
+        }
+
+        Assert.Equal((uint)((b << 16) | a), Adler32.Of(bytes));
+    }
+
     [Theory]
     [InlineData(5551)]
     [InlineData(5552)]

@@ -81,7 +81,7 @@ public sealed class DeflaterTests
         var data = new TheoryData<string, int>();
         foreach (string kind in new[] { "flat", "random", "words", "period", "sparse", "fibonacci" })
         {
-            foreach (int length in new[] { 0, 1, 2, 3, 4, 5, 258, 259, 260, 4096, 32767, 32768, 32769, 65535, 65536, 70_001, 400_000 })
+            foreach (int length in new[] { 0, 1, 2, 3, 4, 5, 258, 259, 260, 4096, 32767, 32768, 32769, 65535, 65536, 70_001, 400_000, (1 << 20) - 1, 1 << 20, 1_300_001 })
             {
                 data.Add(kind, length);
             }

@@ -1,7 +1,9 @@
 using System;
 using System.Buffers;
+using System.Buffers.Binary;
 using System.Collections.Generic;
 using System.Numerics;
+using System.Runtime.InteropServices;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Appearance.Textures;
@@ -80,39 +82,12 @@ internal sealed class AtlasPictures : IDisposable
     /// <summary>Makes the normals of all painted texels of some rows from the heights of those beside them.</summary>
     /// <param name="texel">Side of a texel on the surface, metres.</param>
     /// <param name="rows">The rows.</param>
-    public void Emboss(float texel, RowBand rows)
-    {
-        float perTexel = 1f / texel;
-        for (int row = rows.Top * Size; row < rows.End * Size; row += Size)
-        {
-            bool upper = row > 0;
-            bool lower = row < texels - Size;
-            for (int at = row; at < row + Size; at++)
-            {
-                if (!painted[at])
-                {
-                    continue;
-                }
-
-                float du = Slope(at, at > row, at < row + Size - 1, 1) * perTexel;
-                float dv = Slope(at, upper, lower, Size) * perTexel;
-                float scale = 127f / (float)Math.Sqrt(1f + (du * du) + (dv * dv));
-                SetNormal(at, -du * scale, dv * scale, scale);
-            }
-        }
-    }
+    public void Emboss(float texel, RowBand rows) => new Embossing(painted, heights, Normal, Size, texel).Make(rows);
 
     /// <summary>Gives unpainted texels the mean of their painted neighbours, some texels far, so that filtering at the edge of a chart finds no other colour.</summary>
     public void Bleed(int far)
     {
-        var border = new List<int>();
-        for (int texel = 0; texel < texels; texel++)
-        {
-            if (!painted[texel] && HasPaintedNeighbour(texel))
-            {
-                border.Add(texel);
-            }
-        }
+        List<int> border = Border();
 
         // A texel beside two painted ones is found twice, but listed once.
         bool[] listed = ArrayPool<bool>.Shared.Rent(texels);
@@ -198,11 +173,31 @@ internal sealed class AtlasPictures : IDisposable
         return count;
     }
 
-    private bool HasPaintedNeighbour(int texel)
+    /// <summary>The unpainted texels beside painted ones, row by row. Eight are looked at in one word, for most have none or only painted ones around them.</summary>
+    private List<int> Border()
     {
-        int x = texel & (Size - 1);
-        return (x > 0 && painted[texel - 1]) || (x < Size - 1 && painted[texel + 1])
-            || (texel >= Size && painted[texel - Size]) || (texel < texels - Size && painted[texel + Size]);
+        const ulong All = 0x0101010101010101;
+        var border = new List<int>();
+        ReadOnlySpan<byte> marks = MemoryMarshal.AsBytes(painted.AsSpan(0, texels));
+        for (int at = 0; at < texels; at += sizeof(ulong))
+        {
+            int x = at & (Size - 1);
+            ulong here = BinaryPrimitives.ReadUInt64LittleEndian(marks[at..]);
+            ulong before = (here << 8) | (x > 0 ? marks[at - 1] : 0UL);
+            ulong after = (here >> 8) | (x + sizeof(ulong) < Size ? (ulong)marks[at + sizeof(ulong)] << 56 : 0UL);
+            ulong above = at >= Size ? BinaryPrimitives.ReadUInt64LittleEndian(marks[(at - Size)..]) : 0UL;
+            ulong below = at < texels - Size ? BinaryPrimitives.ReadUInt64LittleEndian(marks[(at + Size)..]) : 0UL;
+            ulong found = (before | after | above | below) & (here ^ All);
+            for (int texel = at; found != 0; texel++, found >>= 8)
+            {
+                if ((found & 1) != 0)
+                {
+                    border.Add(texel);
+                }
+            }
+        }
+
+        return border;
     }
 
     /// <summary>Adds the neighbours that are neither painted yet nor listed.</summary>
@@ -218,25 +213,6 @@ internal sealed class AtlasPictures : IDisposable
                 found.Add(beside[i]);
             }
         }
-    }
-
-    private void SetNormal(int texel, float x, float y, float z)
-    {
-        Span<byte> rgb = Normal.AsSpan(3 * texel, 3);
-        rgb[2] = (byte)(int)(z + 128.5f);
-        rgb[1] = (byte)(int)(y + 128.5f);
-        rgb[0] = (byte)(int)(x + 128.5f);
-    }
-
-    /// <summary>Change of the height from one texel to the next: in the middle where both neighbours have one.</summary>
-    private float Slope(int texel, bool hasBefore, bool hasAfter, int stride)
-    {
-        bool before = hasBefore && painted[texel - stride];
-        bool after = hasAfter && painted[texel + stride];
-        return before && after ? 0.5f * (heights[texel + stride] - heights[texel - stride])
-            : before ? heights[texel] - heights[texel - stride]
-            : after ? heights[texel + stride] - heights[texel]
-            : 0f;
     }
 
     /// <summary>Gives a texel the mean of its painted neighbours, of which there is at least one.</summary>
