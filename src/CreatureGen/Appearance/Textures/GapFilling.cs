@@ -1,6 +1,8 @@
 using System;
 using System.Buffers;
+using System.Buffers.Binary;
 using System.Collections.Generic;
+using System.Runtime.InteropServices;
 
 namespace CreatureGen.Appearance.Textures;
 
@@ -11,6 +13,10 @@ namespace CreatureGen.Appearance.Textures;
 internal static class GapFilling
 {
     private const int Channels = 3;
+
+    /// <summary>So many texels are looked at in one word, and its value where all of them are painted.</summary>
+    private const int Eight = sizeof(ulong);
+    private const ulong All = 0x0101010101010101;
 
     /// <summary>Gives each texel that is not painted the mean of the smallest square around it, of those that halving makes, in which something is painted.</summary>
     /// <param name="picture">Three bytes per texel; changed. Nothing happens where nothing is painted.</param>
@@ -60,9 +66,20 @@ internal static class GapFilling
             Array.Clear(half.painted, 0, size * size);
             for (int texel = 0, first = 0; texel < size * size; first += Size)
             {
-                for (int end = texel + size; texel < end; texel++, first += 2)
+                int end = texel + size;
+                while (texel < end)
                 {
-                    half.Average(texel, this, first);
+                    int block = Math.Min(Eight / 2, end - texel);
+                    if (block < Eight / 2 || !half.TryAverageWide(texel, this, first))
+                    {
+                        for (int i = 0; i < block; i++)
+                        {
+                            half.Average(texel + i, this, first + (2 * i));
+                        }
+                    }
+
+                    texel += block;
+                    first += 2 * block;
                 }
             }
 
@@ -75,12 +92,15 @@ internal static class GapFilling
             {
                 for (int x = 0; x < Size; x++, texel++)
                 {
-                    if (!painted[texel])
+                    if (Size - x >= Eight && Marks(texel) == All)
+                    {
+                        x += Eight - 1;
+                        texel += Eight - 1;
+                    }
+                    else if (!painted[texel])
                     {
                         int over = Channels * ((y / 2 * half.Size) + (x / 2));
-                        texels[Channels * texel] = half.texels[over];
-                        texels[(Channels * texel) + 1] = half.texels[over + 1];
-                        texels[(Channels * texel) + 2] = half.texels[over + 2];
+                        half.texels.AsSpan(over, Channels).CopyTo(texels.AsSpan(Channels * texel, Channels));
                     }
                 }
             }
@@ -93,23 +113,38 @@ internal static class GapFilling
             ArrayPool<bool>.Shared.Return(painted);
         }
 
-        private void Average(int texel, Level finer, int first)
+        /// <summary>The marks of eight texels in a row.</summary>
+        private ulong Marks(int texel) => BinaryPrimitives.ReadUInt64LittleEndian(MemoryMarshal.AsBytes(painted.AsSpan(texel, Eight)));
+
+        /// <summary>Four means of a row where all that they are means of is painted, or nothing: most are like that, and need no branches and no quotients. False for others.</summary>
+        private bool TryAverageWide(int texel, Level finer, int first)
         {
             int below = first + finer.Size;
-            ReadOnlySpan<bool> has = finer.painted;
-            if (has[first] & has[first + 1] & has[below] & has[below + 1])
+            ulong marks = finer.Marks(first);
+            if (finer.Marks(below) != marks || (marks != All && marks != 0))
             {
-                // Most are like that: no branches and no quotients, half of the time.
-                painted[texel] = true;
-                ReadOnlySpan<byte> upper = finer.texels.AsSpan(Channels * first, 2 * Channels);
-                ReadOnlySpan<byte> lower = finer.texels.AsSpan(Channels * below, 2 * Channels);
-                Span<byte> mean = texels.AsSpan(Channels * texel, Channels);
-                mean[0] = (byte)((upper[0] + upper[3] + lower[0] + lower[3] + 2) >> 2);
-                mean[1] = (byte)((upper[1] + upper[4] + lower[1] + lower[4] + 2) >> 2);
-                mean[2] = (byte)((upper[2] + upper[5] + lower[2] + lower[5] + 2) >> 2);
-                return;
+                return false;
             }
 
+            if (marks == All)
+            {
+                painted.AsSpan(texel, Eight / 2).Fill(true);
+                ReadOnlySpan<byte> upper = finer.texels.AsSpan(Channels * first, Channels * Eight);
+                ReadOnlySpan<byte> lower = finer.texels.AsSpan(Channels * below, Channels * Eight);
+                Span<byte> means = texels.AsSpan(Channels * texel, Channels * Eight / 2);
+                for (int to = 0, from = 0; to < means.Length; to += Channels, from += 2 * Channels)
+                {
+                    means[to] = (byte)((upper[from] + upper[from + 3] + lower[from] + lower[from + 3] + 2) >> 2);
+                    means[to + 1] = (byte)((upper[from + 1] + upper[from + 4] + lower[from + 1] + lower[from + 4] + 2) >> 2);
+                    means[to + 2] = (byte)((upper[from + 2] + upper[from + 5] + lower[from + 2] + lower[from + 5] + 2) >> 2);
+                }
+            }
+
+            return true;
+        }
+
+        private void Average(int texel, Level finer, int first)
+        {
             int red = 0, green = 0, blue = 0, count = 0;
             for (int corner = 0; corner < 4; corner++)
             {
