@@ -18,6 +18,9 @@ internal sealed class LegPoser
     /// <summary>How often a foot that yields to its joints is laid on the ground anew at most.</summary>
     private const int RelaxationRounds = 3;
 
+    /// <summary>How much farther it is laid at most than its joints ask at that moment, since they ask for more as it is laid.</summary>
+    private const float MostGain = 4f;
+
     /// <summary>How far a flat foot that trails behind is pointed beyond its pitch in the swing, radians.</summary>
     private const float TrailedPitch = 0.9f;
 
@@ -107,13 +110,19 @@ internal sealed class LegPoser
         foot.Leg.Relaxation = foot.Phase == FootPhase.Swing ? foot.Leg.Relaxation : excess;
         float fraction = excess > 0f ? limit.Relaxed(leg, foot, excess) : 0f;
         bool turned = stands && fraction > 0f;
+        if (turned && !foot.Leg.Turned.Stood && !foot.Plan.Arrived)
+        {
+            SoleHold.Remember(ref foot, wanted);
+        }
+
         float pitch = leg.FlatFoot ? FootRoll.ToePitch(foot.Path.Posture.Shown.Pitch) : foot.Path.Posture.Shown.Pitch;
 
-        // As the ankle comes up for it the shank leans farther, and asks for a little more. A foot that stands is laid until it is there: what was left of it came and went, and dragged the foot.
+        // As the ankle comes up for it the shank leans farther, and asks for more. A foot that stands is laid until it is there, each time as much farther as the last was too little: what was left of it came and went, and dragged the foot.
         float renewed = stands ? 1f : laid;
+        float asked = excess;
         for (int i = 0; i < (renewed > 0f ? RelaxationRounds : 1) && fraction > 0f && excess > 0f; i++)
         {
-            Quaternion asked = wanted.Toes;
+            Quaternion level = wanted.Toes;
             Quaternion toes = Rotation.Multiply(metatarsus, turns.Of(local, leg.Ball));
             LimitRelaxation.Turn(leg, foot.Path.Normal, linked ? toes : metatarsus, toes, pitch, fraction, ref wanted);
             if (stands)
@@ -128,11 +137,12 @@ internal sealed class LegPoser
             FootPose lying = wanted;
             if (linked && !stands)
             {
-                lying.Toes = UnitRotation.Nlerp(asked, wanted.Toes, limit.Held);
+                lying.Toes = UnitRotation.Nlerp(level, wanted.Toes, limit.Held);
             }
 
             metatarsus = PoseFoot(leg, solved, lying, local, far, stands ? 1f : linked ? limit.Held : laid, out astray, out excess);
-            fraction = i == 0 ? fraction * renewed : fraction;
+            fraction = stands ? Math.Min(fraction / Math.Max(1f - (excess / asked), 1f / MostGain), MostGain) : i == 0 ? fraction * renewed : fraction;
+            asked = excess;
         }
 
         foot.Leg.Turned.Stood = false;
