@@ -50,6 +50,9 @@ internal sealed partial class FootingSearch
     /// <summary>Rise over its distance up to which a sole is laid on bent ground; from twice that on it is not.</summary>
     private const float BendOfGround = 0.4f;
 
+    /// <summary>How high a sole is raised onto bent ground, leg lengths, where both of its ends are wholly in the air.</summary>
+    private const float WhollyBent = 0.03f;
+
     /// <summary>What a swinging foot is lifted over at most, part of the leg's length.</summary>
     private const float Highest = 0.6f;
 
@@ -134,10 +137,11 @@ internal sealed partial class FootingSearch
         if (uneven)
         {
             place.Below = sole.Heel == SoleEnd.Hangs ? Math.Min(sole.Below - sole.Raise, 0f) : 0f;
-            place.Overhangs = sole.Toes == SoleEnd.Hangs;
+            float bent = Scalar.Smooth(sole.Raise / (WhollyBent * shape.Length));
+            place.Overhangs = sole.Toes == SoleEnd.Hangs ? 1f : bent;
             place.InWall = sole.Toes == SoleEnd.Wall || sole.Heel == SoleEnd.Wall;
             place.MeetsWall = sole.Toes == SoleEnd.Wall || sole.Before == SoleEnd.Wall;
-            place.Whole = place.MeetsWall || sole.Heel == SoleEnd.Hangs ? 1f : 0f;
+            place.Whole = place.MeetsWall || sole.Heel == SoleEnd.Hangs ? 1f : bent;
             place.Position += up * (sole.Raise * step.Frame.Scale);
             Vector3 tilt = Rotation.Rotate(step.Frame.Rotation, (sole.Ahead * sole.Slope) + (sole.Aside * sole.Tilt));
             place.Normal = Vec.Normalize((place.Normal / Vec.Dot(place.Normal, up)) - tilt, up);

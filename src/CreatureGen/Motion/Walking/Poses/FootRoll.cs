@@ -99,8 +99,9 @@ internal static class FootRoll
         LegGaitParameters traits = leg.Traits;
         float rising = Scalar.Clamp(RiseOfCycle / Math.Max(duty, 0.1f), ShortestRise, leg.FlatFoot && !leg.Lateral ? LongestFlatRise : LongestRise);
 
-        // Toes that hang over an edge have nothing to roll off: of a flat foot only the heel rises, about the ball.
-        float most = !foot.Plan.From.Overhangs ? traits.ToeOff * leg.RollFraction : leg.FlatFoot ? Math.Min(traits.ToeOff * leg.RollFraction, ToeBreak) : 0f;
+        // Toes in the air have nothing to roll off: of a flat foot only the heel rises, about the ball.
+        float most = traits.ToeOff * leg.RollFraction;
+        most = Scalar.Lerp(most, leg.FlatFoot ? Math.Min(most, ToeBreak) : 0f, foot.Plan.From.Overhangs);
         float off = Math.Min(most, 0.5f * FastestRoll * rising * duty * cycle);
         float strike = traits.Strike * (1f - (foot.Phase == FootPhase.Stance ? foot.Plan.From.Whole : foot.Plan.To.Whole));
         if (foot.Phase == FootPhase.Stance)
