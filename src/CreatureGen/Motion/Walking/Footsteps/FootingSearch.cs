@@ -50,7 +50,7 @@ internal sealed partial class FootingSearch
     /// <summary>Rise over its distance up to which a sole is laid on bent ground; from twice that on it is not.</summary>
     private const float BendOfGround = 0.4f;
 
-    /// <summary>How high a sole is raised onto bent ground, leg lengths, where both of its ends are wholly in the air.</summary>
+    /// <summary>How high an end of a sole is above bent ground on which its middle stands, leg lengths, where it is wholly in the air.</summary>
     private const float WhollyBent = 0.03f;
 
     /// <summary>What a swinging foot is lifted over at most, part of the leg's length.</summary>
@@ -137,11 +137,11 @@ internal sealed partial class FootingSearch
         if (uneven)
         {
             place.Below = sole.Heel == SoleEnd.Hangs ? Math.Min(sole.Below - sole.Raise, 0f) : 0f;
-            float bent = Scalar.Smooth(sole.Raise / (WhollyBent * shape.Length));
-            place.Overhangs = sole.Toes == SoleEnd.Hangs ? 1f : bent;
+            float bent = WhollyBent * shape.Length;
+            place.Overhangs = sole.Toes == SoleEnd.Hangs ? 1f : Scalar.Smooth(sole.UnderToes / bent);
             place.InWall = sole.Toes == SoleEnd.Wall || sole.Heel == SoleEnd.Wall;
             place.MeetsWall = sole.Toes == SoleEnd.Wall || sole.Before == SoleEnd.Wall;
-            place.Whole = place.MeetsWall || sole.Heel == SoleEnd.Hangs ? 1f : bent;
+            place.Whole = place.MeetsWall || sole.Heel == SoleEnd.Hangs ? 1f : Scalar.Smooth(sole.UnderHeel / bent);
             place.Position += up * (sole.Raise * step.Frame.Scale);
             Vector3 tilt = Rotation.Rotate(step.Frame.Rotation, (sole.Ahead * sole.Slope) + (sole.Aside * sole.Tilt));
             place.Normal = Vec.Normalize((place.Normal / Vec.Dot(place.Normal, up)) - tilt, up);
@@ -275,6 +275,14 @@ internal sealed partial class FootingSearch
             sole.StandOn(Rise(step, shape, target, sole.At(0.5f * end, 0f), hit, out sole.Middle), 0.5f * end, 0f);
         }
 
+        FeelAcross(step, shape, target, hit, ref sole);
+        sole.UnderToes = sole.Above(toe, end, 0f);
+        sole.UnderHeel = sole.Above(heel, -EndFraction * shape.Heel, 0f);
+    }
+
+    /// <summary>The same from side to side of a wide one.</summary>
+    private void FeelAcross(in StepContext step, LegRig shape, Vector3 target, in GroundHit hit, ref Sole sole)
+    {
         if (shape.HalfWidth <= LongSole * shape.Length)
         {
             return;
@@ -345,72 +353,5 @@ internal sealed partial class FootingSearch
         Vector3 up = step.Up;
         Vector3 origin = step.Frame.ToWorld(new Vector3(point.X, above + (step.Slope * point.Z), point.Z));
         return step.Ground.Cast(origin, -up, (above + ((Below + farther) * body.LegLength)) * step.Frame.Scale, out hit) && Vec.Dot(hit.Normal, up) > Steepest;
-    }
-
-    /// <summary>How a sole lies on the ground, seen from the plane through the ball's place. Metres of the model.</summary>
-    private struct Sole
-    {
-        public Sole(Vector3 ahead, Vector3 offset)
-        {
-            this = default;
-            Ahead = ahead;
-            Aside = new Vector3(ahead.Z, 0f, -ahead.X);
-            this.offset = offset;
-        }
-
-        private readonly Vector3 offset;
-
-        /// <summary>Where the toes point, level, unit.</summary>
-        public Vector3 Ahead;
-
-        /// <summary>To the side of that.</summary>
-        public Vector3 Aside;
-
-        /// <summary>Rise towards the toes.</summary>
-        public float Slope;
-
-        /// <summary>Rise to the side.</summary>
-        public float Tilt;
-
-        /// <summary>Height above the place.</summary>
-        public float Raise;
-
-        /// <summary>Height of the ground under its heel, that part of it which counts.</summary>
-        public float Below;
-
-        /// <summary>What is below the ends.</summary>
-        public SoleEnd Toes;
-        public SoleEnd Heel;
-
-        /// <summary>What is below the middle of long toes.</summary>
-        public SoleEnd Middle;
-
-        /// <summary>What is below the place right before the toes.</summary>
-        public SoleEnd Before;
-
-        /// <summary>A place of it from the ball's place.</summary>
-        /// <param name="along">From its ball towards the toes.</param>
-        /// <param name="across">To the side.</param>
-        public readonly Vector3 At(float along, float across) => offset + (Ahead * along) + (Aside * across);
-
-        /// <summary>Raises it onto the ground at a place.</summary>
-        /// <param name="height">Of the ground above the plane.</param>
-        /// <param name="along">Towards the toes.</param>
-        /// <param name="across">To the side.</param>
-        public void StandOn(float height, float along, float across) =>
-            Raise = Math.Max(Raise, height - ((along + Vec.Dot(offset, Ahead)) * Slope) - ((across + Vec.Dot(offset, Aside)) * Tilt));
-    }
-
-    /// <summary>What is below an end of a sole.</summary>
-    private enum SoleEnd
-    {
-        /// <summary>Ground that goes on.</summary>
-        Stands,
-
-        /// <summary>Nothing, or ground below an edge.</summary>
-        Hangs,
-
-        /// <summary>Ground above a wall, in which it would be.</summary>
-        Wall,
     }
 }
