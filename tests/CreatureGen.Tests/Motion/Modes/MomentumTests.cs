@@ -51,6 +51,16 @@ public sealed class MomentumTests
         }
     }
 
+    /// <summary>Swimmers that were told to stop in the middle of their first strokes got faster for .7 s.</summary>
+    [Fact]
+    public void A_body_that_is_to_stop_lets_go_of_its_push_at_once()
+    {
+        Momentum momentum = After(Fish, 1.3, 0.4, 60);
+        Assert.InRange(momentum.Acceleration, 0.8 * Fish.Thrust, Fish.Thrust);
+        momentum.Step(0, Fish, 0.1);
+        Assert.InRange(momentum.Acceleration, -Fish.Thrust, 0);
+    }
+
     [Fact]
     public void The_mirrored_goal_gives_the_mirrored_way()
     {
