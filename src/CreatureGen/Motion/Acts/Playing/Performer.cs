@@ -240,6 +240,7 @@ internal sealed class Performer
             Settle(ground, local, model);
             GroundedEars.Keep(body, ground, local, model);
             ends.KeepHead(ground, over, local, model);
+            LiftOverHead(ground, local, model);
             ends.KeepTail(ground, over, local, model);
             ends.KeepArms(ground, over, layer.Loose > 0f, local, model);
         }
@@ -305,6 +306,17 @@ internal sealed class Performer
             float raised = -Scalar.Smooth(layer.Loose / Borne) * lowest;
             local.Positions[body.Body] += new Vector3(0f, raised, 0f);
             Settled = over == 0f ? raised : 0f;
+            ForwardKinematics.LocalToModel(body.Skeleton, local, model);
+        }
+    }
+
+    /// <summary>Lifts a body that is over by what of its head is in the ground still: a frill or a crest is wider than its neck bends as it rolls.</summary>
+    private void LiftOverHead(in ActGround ground, in Pose local, in Pose model)
+    {
+        if (over != 0f && layer.Loose > 0f)
+        {
+            float sunk = Math.Max(0f, -body.HeadSkin.Lowest(ground, model));
+            local.Positions[body.Body] += new Vector3(0f, Scalar.Smooth(layer.Loose / Borne) * sunk, 0f);
             ForwardKinematics.LocalToModel(body.Skeleton, local, model);
         }
     }
