@@ -51,7 +51,7 @@ internal sealed partial class FallingMode
             {
                 // More than its legs take: it collapses, and gets up by itself.
                 goesLimp = true;
-                getsUp = true;
+                (getsUp, dazed) = (true, true);
             }
 
             float force = Fall.ForceOf(impact, settings.Gravity);

@@ -44,7 +44,7 @@ internal sealed partial class FallingMode
         else if (State == BodyState.Rising || speed > balance)
         {
             GoLimp();
-            getsUp = true;
+            (getsUp, dazed) = (true, true);
         }
         else
         {

@@ -39,6 +39,7 @@ internal sealed partial class FallingMode : ILocomotionMode
     private Drift drift;
     private bool goesLimp;
     private bool getsUp;
+    private bool dazed;
     private bool hasMoved;
 
     /// <summary>Wraps a way of moving.</summary>
@@ -140,6 +141,7 @@ internal sealed partial class FallingMode : ILocomotionMode
     public bool GetUp()
     {
         getsUp = State == BodyState.Limp || goesLimp;
+        dazed = false;
         if (getsUp)
         {
             // Here and not in an update, for finding out how a creature lies takes a while.
@@ -176,7 +178,7 @@ internal sealed partial class FallingMode : ILocomotionMode
             Lying.Keep(local);
         }
 
-        if (getsUp && State == BodyState.Limp && Lying.IsCalm(place.Scale, settings.Gravity))
+        if (getsUp && State == BodyState.Limp && Lying.IsCalm(place.Scale, settings.Gravity, dazed && !Goes(input)))
         {
             place = Rise(place, settings, ground, layer);
         }
@@ -267,7 +269,7 @@ internal sealed partial class FallingMode : ILocomotionMode
     {
         var mode = (FallingMode)other;
         inner.CopyFrom(mode.inner);
-        (State, footing, goesLimp, getsUp, hasMoved, blow, drift, glide, haste) = (mode.State, mode.footing, mode.goesLimp, mode.getsUp, mode.hasMoved, mode.blow, mode.drift, mode.glide, mode.haste);
+        (State, footing, goesLimp, getsUp, dazed, hasMoved, blow, drift, glide, haste) = (mode.State, mode.footing, mode.goesLimp, mode.getsUp, mode.dazed, mode.hasMoved, mode.blow, mode.drift, mode.glide, mode.haste);
         if (mode.fall != null)
         {
             Fall.CopyFrom(mode.fall);

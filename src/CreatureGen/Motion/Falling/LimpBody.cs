@@ -20,6 +20,9 @@ internal sealed class LimpBody
     private const float FallTime = 3f;
     private const float CalmSpeed = 0.12f;
 
+    /// <summary>How long who was knocked down lies before it gets up by itself, τ: it has not come to lie on its side before.</summary>
+    private const float DazedTime = 6.5f;
+
     /// <summary>How much of that is added for each such time that it has lain beyond the first, and up to how much in all: on stairs a body slips from edge to edge for long, and catches itself while it does.</summary>
     private const float Patience = 1f;
     private const float MostPatience = 2.5f;
@@ -54,11 +57,13 @@ internal sealed class LimpBody
     /// <summary>Whether it has fallen, and lies still enough to get up.</summary>
     /// <param name="scale">World metres per model metre.</param>
     /// <param name="gravity">World m/s².</param>
-    public bool IsCalm(float scale, float gravity)
+    /// <param name="dazed">Whether it was knocked down, and nobody has it get up or go.</param>
+    public bool IsCalm(float scale, float gravity, bool dazed)
     {
         float tau = Tau(scale, gravity);
         float times = seconds / (FallTime * tau);
-        return ragdoll.IsAsleep || (times > 1f && ragdoll.Speed < CalmSpeed * Math.Min(1f + (Patience * (times - 1f)), MostPatience) * gravity * tau);
+        return (!dazed || seconds > DazedTime * tau)
+            && (ragdoll.IsAsleep || (times > 1f && ragdoll.Speed < CalmSpeed * Math.Min(1f + (Patience * (times - 1f)), MostPatience) * gravity * tau));
     }
 
     /// <summary>Keeps the pose shown last: its velocities are those from this pose to the one in which it begins.</summary>

@@ -18,25 +18,41 @@ internal sealed class LimpTone
     private const float NeckTime = 2.5f;
     private const float LigamentTone = 5f;
 
-    private readonly bool[] isNeck;
+    /// <summary>That of legs, whose tendons unfold them again once the body has come down over them, 1/τ; when that begins and when it is whole, τ; and how much less it is of one leg than of the next, so that no two lie alike.</summary>
+    private const float TendonTone = 3f;
+    private const float TendonsBegin = 1.2f;
+    private const float TendonsEnd = 3f;
+    private const float Slack = 0.45f;
 
-    private LimpTone(bool[] isNeck) => this.isNeck = isNeck;
+    private readonly bool[] isNeck;
+    private readonly float[] tendons;
+
+    private LimpTone(bool[] isNeck, float[] tendons)
+    {
+        this.isNeck = isNeck;
+        this.tendons = tendons;
+    }
 
     /// <summary>All together.</summary>
     /// <param name="rig">Its parts.</param>
-    public static LimpTone Together(RagdollRig rig) => new(new bool[rig.Count]);
+    public static LimpTone Together(RagdollRig rig) => new(new bool[rig.Count], new float[rig.Count]);
 
-    /// <summary>The neck last.</summary>
+    /// <summary>The neck last, and legs unfold again somewhat, each as it likes.</summary>
     /// <param name="rig">Its parts.</param>
-    public static LimpTone NeckLast(RagdollRig rig)
+    public static LimpTone OnSide(RagdollRig rig)
     {
         var isNeck = new bool[rig.Count];
+        var tendons = new float[rig.Count];
+        int leg = 0;
         for (int i = 0; i < isNeck.Length; i++)
         {
-            isNeck[i] = rig.Skeleton.Joints[rig.Parts[i].Joint].Role is JointRole.Neck or JointRole.Head;
+            JointRole role = rig.Skeleton.Joints[rig.Parts[i].Joint].Role;
+            isNeck[i] = role is JointRole.Neck or JointRole.Head;
+            leg += role == JointRole.Hip ? 1 : 0;
+            tendons[i] = role is JointRole.Hip or JointRole.Knee or JointRole.Ankle or JointRole.Ball ? TendonTone * (1f - (Slack * (leg % 3))) : 0f;
         }
 
-        return new LimpTone(isNeck);
+        return new LimpTone(isNeck, tendons);
     }
 
     /// <summary>Writes the tone of each part.</summary>
@@ -48,9 +64,10 @@ internal sealed class LimpTone
         float rest = StartTone * (float)PortableMath.Exp(-seconds / ToneSeconds);
         rest = rest < LeastTone ? 0f : rest;
         float neck = (LigamentTone / tau) + (NeckTone * (float)PortableMath.Exp(-seconds / (NeckTime * tau)));
+        float tendon = Scalar.Smooth(((seconds / tau) - TendonsBegin) / (TendonsEnd - TendonsBegin)) / tau;
         for (int i = 0; i < tones.Length; i++)
         {
-            tones[i] = isNeck[i] ? neck : rest;
+            tones[i] = isNeck[i] ? neck : rest + (tendons[i] * tendon);
         }
     }
 }

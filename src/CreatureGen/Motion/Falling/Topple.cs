@@ -19,6 +19,13 @@ internal struct Topple
     private const float Upright = 0.94f;
     private const float Tipped = 0.4f;
 
+    /// <summary>How its flank holds it, which is flat where what the ground feels of it is round: what of the roll it takes away, 1/τ, and how fast it brings back a body that is on its back, 1/τ²; sines of how far that is beyond the flank as it begins and as all of it is there; and how long it lasts, τ.</summary>
+    private const float Brake = 4f;
+    private const float Back = 2.4f;
+    private const float OnFlank = -0.1f;
+    private const float BeyondFlank = 0.4f;
+    private const float HeldTime = 8f;
+
     /// <summary>Speed to a side that decides to which it falls, √(gℓ).</summary>
     private const float Deciding = 0.05f;
 
@@ -46,11 +53,26 @@ internal struct Topple
     /// <param name="up">Unit, world space.</param>
     public readonly void Turn(RagdollState body, float dt, float seconds, float tau, Vector3 up)
     {
+        if (axis == Vector3.Zero || body.IsAsleep)
+        {
+            return;
+        }
+
+        float step = Math.Min(dt, LongestStep * tau) / tau;
         float upright = Vec.Dot(Rotation.Rotate(body.FirstTurn, Vector3.UnitY), up);
         float share = (float)Scalar.Clamp((upright - Tipped) / (Upright - Tipped), 0, 1) * (1f - Scalar.Smooth(seconds / (Time * tau)));
-        if (share > 0f && axis != Vector3.Zero)
+        if (share > 0f)
         {
-            body.Turn(axis * (share * Roll * Math.Min(dt, LongestStep * tau) / (tau * tau)));
+            body.Turn(axis * (share * Roll * step / tau));
+        }
+
+        float held = Scalar.Smooth((-upright - OnFlank) / (BeyondFlank - OnFlank)) * (1f - Scalar.Smooth(seconds / (HeldTime * tau)));
+        if (held > 0f)
+        {
+            // About its own length, along which its left goes down as its back comes up on that side.
+            Vector3 ahead = Rotation.Rotate(body.FirstTurn, Vector3.UnitZ);
+            float left = Vec.Dot(Rotation.Rotate(body.FirstTurn, Vector3.UnitX), up);
+            body.Turn(ahead * (held * step * (-Back * left / tau - (Brake * Vec.Dot(body.FirstSpin, ahead)))));
         }
     }
 }

@@ -95,6 +95,9 @@ public sealed class RagdollState
     /// <summary>Turn of the first part from rest, world axes.</summary>
     internal Quaternion FirstTurn => Rotation.Multiply(Rotations[0], Rotation.Inverse(Rig.Skeleton.ModelRotations[Rig.FirstJoint]));
 
+    /// <summary>Angular velocity of the first part, world axes, rad/s.</summary>
+    internal Vector3 FirstSpin => Spins[0];
+
     /// <summary>Sets the whole turning about its centre of mass, as if it were rigid.</summary>
     /// <param name="change">Of its angular velocity, world axes, rad/s.</param>
     internal void Turn(Vector3 change)
