@@ -7,7 +7,7 @@ internal static class Flinches
 {
     /// <summary>A low body springs back over its feet and arches: chest down, head tucked in, abdomen or tail up.</summary>
     public static readonly Act OfManyLegs = Of(
-        new ActPhase("start", 0.7f, ActEase.Out).To(Ahead, -0.42f).To(Yaw, 0.12f).To(ForeDown, 0.55f).To(HindDown, 0.15f).To(BackSide, 0.2f).To(NeckPitch, -0.3f).To(HeadPitch, -0.6f).To(NeckSide, -0.5f).To(HeadSide, -0.3f).To(Ears, 1f).To(Lids, 1f).To(TailPitch, 0.7f).To(TailCurl, 0.8f).To(ArmsBend, 1f).To(ArmsAhead, 0.7f).To(Wings, 0.6f),
+        new ActPhase("start", 0.9f, ActEase.Out).To(Ahead, -0.42f).To(Yaw, 0.12f).To(ForeDown, 0.55f).To(HindDown, 0.15f).To(BackSide, 0.2f).To(NeckPitch, -0.3f).To(HeadPitch, -0.6f).To(NeckSide, -0.5f).To(HeadSide, -0.3f).To(Ears, 1f).To(Lids, 1f).To(TailPitch, 0.7f).To(TailCurl, 0.8f).To(ArmsBend, 1f).To(ArmsAhead, 0.7f).To(Wings, 0.6f),
         new ActPhase("freeze", 1.8f).To(Ahead, -0.34f).To(TailCurl, 0.6f).With(new ActWave(Up, 0.006f, 6f)).With(new ActWave(TailSide, 0.1f, 4f)),
         new ActPhase("look", 1.4f).To(Lids, -0.2f).To(HeadPitch, 0f).To(HeadSide, 0.2f).To(Ears, -0.4f))
         .For(BodyBuild.ManyLegged);
