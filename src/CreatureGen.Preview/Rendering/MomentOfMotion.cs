@@ -1,9 +1,11 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
-using CreatureGen.Anatomy;
 using CreatureGen.Creatures;
+using CreatureGen.Maths;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Swimming;
 using CreatureGen.Motion.Toolkit;
 using CreatureGen.Preview.Scenes;
 using CreatureGen.Rigging;
@@ -13,11 +15,17 @@ namespace CreatureGen.Preview.Rendering;
 /// <summary>The moment of its motion in which a creature has its portrait taken.</summary>
 internal static class MomentOfMotion
 {
-    // Parts of a cycle: a foot is in the air while another stands ahead; a tail is bent to the side, or on its way down with the fins up; the wings are at their highest.
+    // Parts of a cycle: a foot is in the air while another stands ahead; fins that row are up, on their way down; the wings are at their highest.
     private const float OfStep = 0.3f;
-    private const float OfStrokeAside = 0f;
-    private const float OfStroke = 0.15f;
+    private const float OfRow = 0.15f;
     private const float OfBeat = 0f;
+
+    // Moments of a stroke of the tail that are compared, and how much a tail that is raised is liked better than one that hangs.
+    private const int Moments = 24;
+    private const float Raised = 0.5f;
+
+    // Slope towards the line of the body of a fin that turns its edge to who stands behind, for each body length that it is off that line.
+    private const float Inwards = 0.5f;
 
     /// <summary>The surface in mid-step, in mid-stroke, at the top of its wings' beat, in the bends of its crawl; as it was built where it does not go.</summary>
     public static RenderMesh Of(Creature creature)
@@ -32,23 +40,41 @@ internal static class MomentOfMotion
 
         Clip clip = ClipBaker.Bake(profile, way);
         var local = new Pose(new Quaternion[creature.Skeleton.Count], new Vector3[creature.Skeleton.Count]);
-        clip.Sample(PartOf(way, profile, creature.Blueprint.Plan) * clip.Duration, local);
+        clip.Sample(PartOf(way, profile, clip, local) * clip.Duration, local);
         (Vector3[] positions, Vector3[] normals) = MovedSkin.Of(creature, RootPlace.Identity, local, RootPlace.Identity);
         return RenderMesh.From(creature, positions, normals);
     }
 
-    private static float PartOf(Movement way, MotionProfile profile, BodyPlan plan)
+    private static float PartOf(Movement way, MotionProfile profile, Clip clip, in Pose local)
     {
         if (way.Input.Medium == MotionMedium.Air)
         {
             return OfBeat;
         }
 
-        if (profile.Swim == null)
+        return profile.Swim is not { } swim ? OfStep : swim.IsStiff ? OfRow : OfStroke(swim, clip, local);
+    }
+
+    /// <summary>The part of a stroke in which the end of the tail, out to the side or up, trails behind the body: its fin shows its whole side to who stands beside it and its edge to who stands behind.</summary>
+    private static float OfStroke(SwimProfile swim, Clip clip, in Pose local)
+    {
+        Skeleton skeleton = swim.Skeleton;
+        int last = swim.Chain.Bones[swim.Chain.Count - 1].Turn.Joint;
+        var model = new Pose(new Quaternion[skeleton.Count], new Vector3[skeleton.Count]);
+        Quaternion rest = Rotation.Inverse(skeleton.ModelRotations[last]);
+        float best = 0f;
+        float least = float.MaxValue;
+        for (int i = 0; i < Moments; i++)
         {
-            return OfStep;
+            float part = i / (float)Moments;
+            clip.Sample(part * clip.Duration, local);
+            ForwardKinematics.LocalToModel(skeleton, local, model);
+            Vector3 back = Rotation.Rotate(Rotation.Multiply(model.Rotations[last], rest), -Vector3.UnitZ);
+            Vector3 moved = (model.Positions[last] - skeleton.ModelPositions[last]) / swim.BodyLength;
+            float turned = swim.IsVertical ? Math.Abs(back.Y) - (Raised * moved.Y) : Math.Abs(back.X + (Inwards * moved.X));
+            (best, least) = turned < least ? (part, turned) : (best, least);
         }
 
-        return plan is BodyPlan.Fish or BodyPlan.Eel ? OfStrokeAside : OfStroke;
+        return best;
     }
 }
