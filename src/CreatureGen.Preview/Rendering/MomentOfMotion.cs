@@ -2,6 +2,8 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Tails;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion;
@@ -40,23 +42,23 @@ internal static class MomentOfMotion
 
         Clip clip = ClipBaker.Bake(profile, way);
         var local = new Pose(new Quaternion[creature.Skeleton.Count], new Vector3[creature.Skeleton.Count]);
-        clip.Sample(PartOf(way, profile, clip, local) * clip.Duration, local);
+        clip.Sample(PartOf(way, profile, creature, clip, local) * clip.Duration, local);
         (Vector3[] positions, Vector3[] normals) = MovedSkin.Of(creature, RootPlace.Identity, local, RootPlace.Identity);
         return RenderMesh.From(creature, positions, normals);
     }
 
-    private static float PartOf(Movement way, MotionProfile profile, Clip clip, in Pose local)
+    private static float PartOf(Movement way, MotionProfile profile, Creature creature, Clip clip, in Pose local)
     {
         if (way.Input.Medium == MotionMedium.Air)
         {
             return OfBeat;
         }
 
-        return profile.Swim is not { } swim ? OfStep : swim.IsStiff ? OfRow : OfStroke(swim, clip, local);
+        return profile.Swim is not { } swim ? OfStep : swim.IsStiff ? OfRow : OfStroke(swim, clip, local, creature.Blueprint.Tail.Style == TailStyle.Plain || TailTaper.Of(creature.Blueprint.Tail.Style) != null);
     }
 
     /// <summary>The part of a stroke in which the end of the tail, out to the side or up, trails behind the body: its fin shows its whole side to who stands beside it and its edge to who stands behind.</summary>
-    private static float OfStroke(SwimProfile swim, Clip clip, in Pose local)
+    private static float OfStroke(SwimProfile swim, Clip clip, in Pose local, bool bare)
     {
         Skeleton skeleton = swim.Skeleton;
         int last = swim.Chain.Bones[swim.Chain.Count - 1].Turn.Joint;
@@ -71,7 +73,7 @@ internal static class MomentOfMotion
             ForwardKinematics.LocalToModel(skeleton, local, model);
             Vector3 back = Rotation.Rotate(Rotation.Multiply(model.Rotations[last], rest), -Vector3.UnitZ);
             Vector3 moved = (model.Positions[last] - skeleton.ModelPositions[last]) / swim.BodyLength;
-            float turned = swim.IsVertical ? Math.Abs(back.Y) - (Raised * moved.Y) : Math.Abs(back.X + (Inwards * moved.X));
+            float turned = swim.IsVertical ? Math.Abs(back.Y) - (Raised * moved.Y) : bare ? Math.Abs(moved.X) : Math.Abs(back.X + (Inwards * moved.X));
             (best, least) = turned < least ? (part, turned) : (best, least);
         }
 
