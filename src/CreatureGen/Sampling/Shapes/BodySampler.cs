@@ -30,6 +30,9 @@ internal static class BodySampler
     private const double RisingTail = -6;
     private const double FallingTail = 12;
 
+    /// <summary>The part of a fan of feathers that is spread on the ground, where birds close it: spread it is an apron over the legs from behind.</summary>
+    private const double ClosedFan = 0.7;
+
     /// <summary>How far the edges of a ray are bent at least, metres at one metre from the midline: level, it is a spindle from the side.</summary>
     private const double LeastCurl = 0.38;
 
@@ -375,13 +378,13 @@ internal static class BodySampler
 
         if (builder.Parents.Tail.Bird is BirdPreset bird && feathery)
         {
-            double fan = bird.Fan * (builder.Kind == LocomotionKind.Flying ? 1.35 : 1);
+            double fan = bird.Fan * (builder.Kind == LocomotionKind.Flying ? 1.35 : ClosedFan);
             return bird.Fan == 0 ? TailSampler.Other(builder) : new TailBlueprint(TailStyle.Feathers, fan, 0);
         }
 
         return builder.Parents.Tail.Class switch
         {
-            AnimalClass.Bird when feathered && feathery => new TailBlueprint(TailStyle.Feathers, feathers, 0),
+            AnimalClass.Bird when feathered && feathery => new TailBlueprint(TailStyle.Feathers, builder.Kind == LocomotionKind.Flying ? feathers : ClosedFan * feathers, 0),
             AnimalClass.Fish when scaly && builder.Plan != BodyPlan.Theropod => new TailBlueprint(TailStyle.Fan, size, fork),
             _ => TailSampler.Other(builder),
         };
