@@ -18,7 +18,7 @@ internal static class NostrilSetter
     private const double LeatherFrom = 2.5;
 
     // Half width of a nostril, in those that its species tells of the muzzle's half width, or of that of its leather.
-    private const double Breadth = 0.62;
+    private const double Breadth = 0.95;
     private const double OnLeather = 1.1;
     private const double InBeak = 0.75;
 

@@ -31,6 +31,10 @@ internal static class HeadSampler
     /// <summary>Probability of a single eye at full strangeness.</summary>
     private const double SingleEyes = 0.05;
 
+    // Widest that lids of another body's head are open on a strange creature, degrees above and below the gaze: wider, a frog's eyes on top of a mammal are goggles.
+    private const double WidestUpper = 42;
+    private const double WidestLower = 50;
+
     // A single eye: its largest radius in halves of the head, how deep it sits, in radii, and how far it looks ahead.
     private const double LargestSingle = 0.52;
     private const double SingleSink = 0.36;
@@ -266,9 +270,16 @@ internal static class HeadSampler
         }
 
         double upper = Scalar.Clamp(species.LidDegrees.Upper - (9 * mood), 34, 72);
+        double lower = species.LidDegrees.Lower;
+        if (species.EyeRim == EyeRim.Lids)
+        {
+            upper = Math.Min(upper, Scalar.Lerp(upper, WidestUpper, mixed));
+            lower = Math.Min(lower, Scalar.Lerp(lower, WidestLower, mixed));
+        }
+
         double sink = Math.Max(species.EyeSink, Scalar.Lerp(species.EyeSink, MixedSink, mixed));
         double segment = Math.Min(species.Eye.Segment, Scalar.Lerp(species.Eye.Segment, LowestEye, mixed));
-        return new EyeBlueprint(style, species.Eye.Ring, segment, radius, sink, Forward(builder), Scalar.Radians(upper), Scalar.Radians(species.LidDegrees.Lower), 0.42 * mood);
+        return new EyeBlueprint(style, species.Eye.Ring, segment, radius, sink, Forward(builder), Scalar.Radians(upper), Scalar.Radians(lower), 0.42 * mood);
     }
 
     /// <summary>How far eyes look ahead: those of strange creatures are seen from the front, where others are slits at the edge of a mask. Eyes on top of the head are seen from there as they are, and turned ahead they would be lids from the side.</summary>
