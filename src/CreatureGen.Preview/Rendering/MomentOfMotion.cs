@@ -9,6 +9,7 @@ using CreatureGen.Maths;
 using CreatureGen.Motion;
 using CreatureGen.Motion.Swimming;
 using CreatureGen.Motion.Toolkit;
+using CreatureGen.Motion.Toolkit.Chains;
 using CreatureGen.Preview.Scenes;
 using CreatureGen.Rigging;
 
@@ -26,8 +27,13 @@ internal static class MomentOfMotion
     private const int Moments = 24;
     private const float Raised = 0.5f;
 
+    // Share of a body that is taken for the end of its tail, and of what winds: its waves are short.
+    private const float OfFin = 0.11f;
+    private const float OfWindingFin = 0.2f;
+
     // Slope towards the line of the body of a fin that turns its edge to who stands behind, for each body length that it is off that line.
-    private const float Inwards = 0.5f;
+    private const float Inwards = 0.8f;
+    private const float InwardsWinding = 0.4f;
 
     /// <summary>The surface in mid-step, in mid-stroke, at the top of its wings' beat, in the bends of its crawl; as it was built where it does not go.</summary>
     public static RenderMesh Of(Creature creature)
@@ -63,7 +69,6 @@ internal static class MomentOfMotion
         Skeleton skeleton = swim.Skeleton;
         int last = swim.Chain.Bones[swim.Chain.Count - 1].Turn.Joint;
         var model = new Pose(new Quaternion[skeleton.Count], new Vector3[skeleton.Count]);
-        Quaternion rest = Rotation.Inverse(skeleton.ModelRotations[last]);
         float best = 0f;
         float least = float.MaxValue;
         for (int i = 0; i < Moments; i++)
@@ -71,12 +76,29 @@ internal static class MomentOfMotion
             float part = i / (float)Moments;
             clip.Sample(part * clip.Duration, local);
             ForwardKinematics.LocalToModel(skeleton, local, model);
-            Vector3 back = Rotation.Rotate(Rotation.Multiply(model.Rotations[last], rest), -Vector3.UnitZ);
+            Vector3 back = Trailing(swim, model);
             Vector3 moved = (model.Positions[last] - skeleton.ModelPositions[last]) / swim.BodyLength;
-            float turned = swim.IsVertical ? Math.Abs(back.Y) - (Raised * moved.Y) : bare ? Math.Abs(moved.X) : Math.Abs(back.X + (Inwards * moved.X));
+            float turned = swim.IsVertical ? Math.Abs(back.Y) - (Raised * moved.Y) : bare ? Math.Abs(moved.X) : Math.Abs(back.X + ((swim.Style == SwimStyle.Anguilliform ? InwardsWinding : Inwards) * moved.X));
             (best, least) = turned < least ? (part, turned) : (best, least);
         }
 
         return best;
+    }
+
+    /// <summary>Where the bones in the end of the tail point on average, backwards at rest.</summary>
+    private static Vector3 Trailing(SwimProfile swim, in Pose model)
+    {
+        Vector3 sum = Vector3.Zero;
+        float fin = swim.BodyLength * (swim.Style == SwimStyle.Anguilliform ? OfWindingFin : OfFin);
+        foreach (AxialBone bone in swim.Chain.Bones)
+        {
+            if (bone.Middle.Z - swim.Chain.TailTip.Z < fin)
+            {
+                int joint = bone.Turn.Joint;
+                sum -= Rotation.Rotate(Rotation.Multiply(model.Rotations[joint], Rotation.Inverse(swim.Skeleton.ModelRotations[joint])), Vector3.UnitZ);
+            }
+        }
+
+        return Vec.Normalize(sum, -Vector3.UnitZ);
     }
 }
