@@ -25,8 +25,8 @@ internal static class HeadSampler
     private const double MixedSink = 0.5;
 
     // On the same: radius of the smallest eyes in half heights of the head, and the lowest segment that they are at: sharks' and dolphins' are not seen from the front.
-    private const double SmallestEye = 0.26;
-    private const double LowestEye = 6.3;
+    private const double SmallestEye = 0.29;
+    private const double LowestEye = 5.7;
 
     /// <summary>Probability of a single eye at full strangeness.</summary>
     private const double SingleEyes = 0.05;
@@ -266,7 +266,7 @@ internal static class HeadSampler
         if (builder.Stream("single eye").Chance(SingleEyes * builder.Strangeness) && species.Class != AnimalClass.Arthropod && species.Snout != SnoutKind.Beak && !FaceRule.IsHidden(builder))
         {
             double large = Math.Min(1.35 * radius, LargestSingle * half);
-            return new EyeBlueprint(style, species.Eye.Ring - 0.6, 0, large, SingleSink, SingleForward, Scalar.Radians(58), Scalar.Radians(60), 0);
+            return new EyeBlueprint(style, species.Eye.Ring - 1.2, 0, large, SingleSink, SingleForward, Scalar.Radians(58), Scalar.Radians(60), 0);
         }
 
         double upper = Scalar.Clamp(species.LidDegrees.Upper - (9 * mood), 34, 72);
