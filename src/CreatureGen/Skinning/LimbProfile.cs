@@ -31,7 +31,7 @@ internal sealed class LimbProfile
 
     // By which share of its span farther out a membrane is all its own at the trailing edge, and what part of the skin at its root the flank holds there beside the leading edge: it grows along the flank, and what turned with the arm stood up as spikes where it folds.
     private const float HeldByFlank = 0.15f;
-    private const float HeldAtRoot = 0.7f;
+    private const float HeldAtRoot = 0.9f;
 
     private const int Ball = 3;
 
@@ -127,7 +127,7 @@ internal sealed class LimbProfile
         float x = Scalar.Clamp(address.Along, 0f, 1f);
         float chord = appendage.HeldByFlank ? 0.5f * (1f - (float)PortableMath.Cos(address.Around)) : 0f;
         float first = rootFraction * (1f - (HeldAtRoot * chord));
-        float own = (first + ((1f - first) * Scalar.Smooth(x / (rootEnd + (HeldByFlank * chord))))) * hold;
+        float own = (first + ((1f - first) * Scalar.Smooth((x - (rootEnd * chord)) / (rootEnd + (HeldByFlank * chord))))) * hold;
         float rest = 1f - own;
         int root = legged ? 1 : 0;
         if (legged)
