@@ -10,21 +10,26 @@ using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Winged;
 
-/// <summary>Wings of what goes on its legs alone: folded onto the flanks where it stands, raised half open as it goes, and spread to be seen. Immutable, worked out once.</summary>
+/// <summary>
+/// Wings of what goes on its legs alone. Feathers are folded onto the flanks where it stands, and raised half open as it goes; membranes, which are rags on a flank, are always raised, but where it lies down on them.
+/// Either are spread to be seen. Immutable, worked out once.
+/// </summary>
 internal sealed class CarriedWings
 {
-    /// <summary>How far wings are spread and raised by a body on its way: folded they are rags before its forelegs, half as far open as this they are ropes.</summary>
-    private const float RaisedOnTheWay = 0.65f;
+    /// <summary>How far they are asked to be down from where on they fold: who only cowers lowers them.</summary>
+    private const float Folding = 0.5f;
 
     /// <summary>How much it goes from where on they are raised all the way.</summary>
     private const float FullyGoing = 0.5f;
 
     private readonly WingPair[] pairs;
+    private readonly bool alwaysRaised;
     private readonly (int Joint, Quaternion Rotation, Vector3 Position)[] folded;
 
-    private CarriedWings(Skeleton skeleton, WingPair[] pairs, IReadOnlyList<PairedChain> chains)
+    private CarriedWings(Skeleton skeleton, WingPair[] pairs, IReadOnlyList<PairedChain> chains, bool alwaysRaised)
     {
         this.pairs = pairs;
+        this.alwaysRaised = alwaysRaised;
         var local = new Pose(new Quaternion[skeleton.Count], new Vector3[skeleton.Count]);
         local.SetToRest(skeleton);
         foreach (WingPair pair in pairs)
@@ -66,20 +71,22 @@ internal sealed class CarriedWings
         }
 
         var room = new FoldRoom(subject, body.Posture, AxialChain.Of(subject.Skeleton, subject.Bones).Length);
-        return new CarriedWings(subject.Skeleton, WingPair.Folded(subject, chains, subject.HasMembranes ? FoldRange.CarriedMembranes : FoldRange.CarriedFeathers, room), chains);
+        return new CarriedWings(subject.Skeleton, WingPair.Folded(subject, chains, subject.HasMembranes ? FoldRange.CarriedMembranes : FoldRange.CarriedFeathers, room), chains, subject.HasMembranes);
     }
 
     /// <summary>Writes their joints.</summary>
-    /// <param name="shown">How far they are spread and raised to be seen, 0..1, or beyond to raise them higher; folded at 0 and below.</param>
+    /// <param name="shown">How far they are spread and raised to be seen, 0..1, or beyond to raise them higher; lowered below 0, and folded at −1.</param>
     /// <param name="going">How much it goes, 0 standing to 1.</param>
     /// <param name="sway">How they swing with the body.</param>
     /// <param name="local">Receives the joints, in the parents' space.</param>
     public void Write(float shown, float going, in WingSway sway, in Pose local)
     {
-        shown = Math.Max(shown, RaisedOnTheWay * (float)Scalar.Smooth(going / FullyGoing));
-        if (shown > 0f)
+        float raised = alwaysRaised ? 1f : (float)Scalar.Smooth(going / FullyGoing);
+        raised *= 1f - (float)Scalar.Smooth((-shown - Folding) / (1f - Folding));
+        float spread = Scalar.Clamp(shown, 0f, 1f);
+        if (spread > 0f || raised > 0f)
         {
-            var stroke = new WingStroke { Spread = Math.Min(shown, 1f), Shown = shown, LiftLeft = sway.Left, LiftRight = sway.Right };
+            var stroke = new WingStroke { Spread = Math.Max(spread, raised), Carried = 1f - spread, Shown = shown, LiftLeft = sway.Left, LiftRight = sway.Right };
             foreach (WingPair pair in pairs)
             {
                 pair.Write(local, stroke);

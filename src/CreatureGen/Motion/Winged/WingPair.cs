@@ -32,6 +32,11 @@ internal sealed class WingPair
     // How far each joint is raised for a wing that is shown, radians.
     private static readonly double[] shown = { 0.5, 0.12, 0.08, 0.05 };
 
+    // How each joint of a wing that is carried on legs is raised, swept back and twisted from how it grew: half closed, and its blade as hung as at rest, or from the front and behind it would be the line of its edge.
+    private static readonly double[] carriedRaise = { 0, 0.12, 0.03, 0 };
+    private static readonly double[] carriedSweep = { 0.32, -0.05, 0.28, 0.2 };
+    private static readonly double[] carriedTwist = { -0.05, 0, 0, 0 };
+
     /// <summary>How far the shoulder swings up and down, and how far above level the middle of that is with its dihedral taken back, radians.</summary>
     private const double ShoulderBeat = 0.48;
     private const double MiddleOfBeat = 0.10;
@@ -125,13 +130,25 @@ internal sealed class WingPair
             twist = Scalar.Lerp(twist, glideTwist, stroke.Glide);
         }
 
+        if (stroke.Carried > 0)
+        {
+            raise = Scalar.Lerp(raise, carriedRaise[k], stroke.Carried);
+            sweep = Scalar.Lerp(sweep, carriedSweep[k], stroke.Carried);
+            twist = Scalar.Lerp(twist, carriedTwist[k], stroke.Carried);
+        }
+
         Quaternion spread = chain.Stroke(k, raise + (0.5 * lift * (1 - beat.Height)) + (shown[k] * stroke.Shown), sweep, twist);
         if (open < Spread)
         {
-            // On the way the shoulder is raised, so that the tip does not sweep over the ground. What is all but spread still swings with the body.
+            spread = Rotation.Slerp(folded.Turn(k), spread, open);
+        }
+
+        if (k == 0 && (open < Spread || stroke.Carried > 0))
+        {
+            // On the way the shoulder is raised, so that the tip does not sweep over the ground. What does not fly swings with the body.
             double square = open * open;
-            Quaternion way = Rotation.Slerp(folded.Turn(k), spread, open);
-            spread = k == 0 ? Rotation.Multiply(AxisRotation.Roll((4 * FoldLift * open * (1 - open)) + ((1 - (square * square)) * (side == Side.Left ? stroke.LiftLeft : stroke.LiftRight))), way) : way;
+            double swinging = 1 - (square * square * (1 - stroke.Carried));
+            spread = Rotation.Multiply(AxisRotation.Roll((4 * FoldLift * open * (1 - open)) + (swinging * (side == Side.Left ? stroke.LiftLeft : stroke.LiftRight))), spread);
         }
 
         return spread;

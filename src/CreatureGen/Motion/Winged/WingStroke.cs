@@ -15,6 +15,9 @@ internal struct WingStroke
     /// <summary>0 folded, 1 spread.</summary>
     public double Spread;
 
+    /// <summary>0 held for flight, 1 as one carries them who goes on legs.</summary>
+    public double Carried;
+
     /// <summary>How far wings are raised to be seen, on top; 1 high.</summary>
     public double Shown;
 

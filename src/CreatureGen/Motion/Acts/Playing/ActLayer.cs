@@ -67,13 +67,15 @@ internal sealed class ActLayer
     /// <param name="side">1 for an act to the left, −1 to the right.</param>
     public void Ask(float[] values, float side)
     {
-        Trunk.Wings = values[(int)ActChannel.Wings];
+        float over = Math.Min(Math.Abs(values[(int)ActChannel.OnFlank]), 1f);
+
+        // Who rolls over onto its wings folds them.
+        Trunk.Wings = values[(int)ActChannel.Wings] - over;
         if (body.Legs == null)
         {
             return;
         }
 
-        float over = Math.Min(Math.Abs(values[(int)ActChannel.OnFlank]), 1f);
         bool onBack = body.LyingSide == LyingSide.Back;
         float drawnIn = onBack ? Scalar.Smooth(over / DrawnIn) : 0f;
         float unit = body.Unit;
