@@ -104,7 +104,7 @@ internal sealed class BladeCoat
     }
 
     /// <summary>How near it is to the border between two feathers, 0..1: sharp on one side, soft on the other.</summary>
-    private static float Border(float feathers)
+    internal static float Border(float feathers)
     {
         float phase = feathers - (float)Math.Floor(feathers);
         return phase < 0.12f ? 1f - Scalar.Smooth(phase / 0.12f) : Scalar.Smooth((phase - 0.7f) / 0.3f);

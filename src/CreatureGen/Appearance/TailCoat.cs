@@ -1,3 +1,4 @@
+using System;
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Anatomy.Tails;
@@ -12,6 +13,10 @@ internal sealed class TailCoat
     private const float BetweenRays = 0.5f;
     private const float Margin = 0.3f;
     private const float MarginFirst = 51.5f;
+
+    // Feathers from the middle of a fan to its side, as its outline has them, and how much darker it is where one lies over the next: of one colour a fan is an apron from behind.
+    private const float FeathersOfHalf = 2.5f;
+    private const float BetweenVanes = 0.5f;
 
     /// <summary>Part of the shade of the belly that a tail with a sting is without: it is carried over the back, and its lower side, pale, is a mast for who is behind it.</summary>
     private const float Unshaded = 0.6f;
@@ -51,7 +56,8 @@ internal sealed class TailCoat
             case TailStyle.Saurian:
                 return Vec.Lerp(colour, tipColour, tipFraction * Between(place, 50, 53));
             case TailStyle.Feathers:
-                return Vec.Lerp(colour, palette.Limb * 0.85f, 0.85f * Between(place, 49, 52));
+                float vanes = BetweenVanes * Between(place, 47, 50) * BladeCoat.Border(FeathersOfHalf * (float)Math.Abs(PortableMath.Sin(place.Around)));
+                return Vec.Lerp(colour, palette.Limb * 0.85f, 0.85f * Between(place, 49, 52)) * (1f - vanes);
             default:
                 float rays = TailRays.Has(subject.Tail) ? 1f - (BetweenRays * (float)TailRays.Between(place.Ring, place.Around)) : 1f;
                 float margin = 1f - (Margin * Scalar.Smooth((place.Ring - MarginFirst) / (BodyGrid.Rings - 1 - MarginFirst)));

@@ -211,7 +211,7 @@ internal sealed class BodySkin
                 double q = Scalar.Smooth((ring - 46) / 8.0);
                 double edge = Math.Min(1, across);
                 double quill = Math.Min(1, tailStep / 0.055);
-                return (float)(quill * ((-q * (0.06 + (0.8 * tail.Size)) * (1 - (edge * edge))) + (q * 0.035 * PortableMath.Cos(across * PortableMath.Pi * 5))));
+                return (float)(quill * ((-q * (0.06 + (0.8 * tail.Size)) * (1 - (edge * edge))) + (q * 0.05 * PortableMath.Cos(across * PortableMath.Pi * 5))));
             default:
                 if (TailFin.Of(tail.Style) is TailFin fin)
                 {

@@ -34,6 +34,11 @@ internal static class TailShaper
     private const double Quills = 0.017;
     private const int FanThins = 48;
 
+    // Half width of a small fan in its sizes, by which part of itself it is narrower for each metre of its size, and how late it opens: a narrow one is an apron from behind.
+    private const double FanSpread = 2.6;
+    private const double WideFan = 3;
+    private const double FanOpening = 1.3;
+
     /// <summary>Gives the rings of the tail the sections of its style.</summary>
     /// <param name="tail">The end of the tail.</param>
     /// <param name="step">Metres along the spine from the ring before to each ring.</param>
@@ -80,7 +85,7 @@ internal static class TailShaper
                 for (int i = Start - 1; i < BodyGrid.Rings; i++)
                 {
                     double q = Scalar.Smooth((i - 45) / 8.0);
-                    width[i] = (width[i] * (1 - q)) + (tail.Size * PortableMath.Pow(q, 0.8));
+                    width[i] = (width[i] * (1 - q)) + (FanSpread * tail.Size / (1 + (WideFan * tail.Size)) * PortableMath.Pow(q, FanOpening));
                     double vane = Scalar.Lerp(Quills, BodyShaper.ThinnestSection, Scalar.Smooth((i - FanThins) / (double)(BodyGrid.Rings - 1 - FanThins)));
                     top[i] = (top[i] * (1 - q)) + (vane * q);
                     bottom[i] = (bottom[i] * (1 - q)) + (vane * q);
