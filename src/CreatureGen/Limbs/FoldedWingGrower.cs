@@ -25,6 +25,9 @@ internal static class FoldedWingGrower
     private const double OffBelow = 0.12;
     private const double OffBetween = 0.55;
 
+    /// <summary>Part of its rise that it loses to its tip: as thick to its end it is a pod from behind.</summary>
+    private const double FlatTip = 0.6;
+
     // The same of the wrist over what is between the edges, the tip's height over the rump in metres, and the share of the span at which its feathers begin, each of which ends in a step.
     private const double OffWrist = 0.2;
     private const double OffTip = 0.008;
@@ -40,7 +43,7 @@ internal static class FoldedWingGrower
 
     /// <summary>Segments of the lower edge and the shares of the span that they hold for.</summary>
     private static readonly double[] lowerFractions = { 0, 0.15, 0.4, 0.7, 1 };
-    private static readonly double[] lowerSegments = { 8.0, 8.6, 8.2, 6.9, 3.2 };
+    private static readonly double[] lowerSegments = { 8.0, 8.6, 8.0, 6.2, 2.3 };
 
     /// <summary>Grows the left wing, mirrors it, and says where its joints are.</summary>
     public static Appendage Grow(BodySurface body, WingBlueprint wing, int index)
@@ -55,8 +58,8 @@ internal static class FoldedWingGrower
         double lift = wing.Rise * wing.Span;
 
         double Slide(double s) => Math.Max(0, s - 0.02) / 0.98;
-        double Stand(double s) => lift * Scalar.Smooth(s / Lifting);
-        double Upper(double s) => wing.Socket.Segment - (0.6 * s) - (2.1 * s * s);
+        double Stand(double s) => lift * Scalar.Smooth(s / Lifting) * (1 - (FlatTip * s * s));
+        double Upper(double s) => wing.Socket.Segment - (1.2 * s) - (2.2 * s * s);
         double Lower(double s) => Stepped(s) + wing.Socket.Segment - 4;
         Vector3 Lead(float s) => Ride(skin, first + (reach * Slide(s)), Upper(s), 0.010 + (OffAbove * Stand(s)) + (OffTip * s * s));
         Vector3 Trail(float s) => Ride(skin, first + (0.93 * reach * Slide(s)) + (Tooth * (Phase(s) - 0.5) * Scalar.Smooth(4 * s)), Lower(s), 0.012 + (OffBelow * Stand(s)) + (OffTip * Scalar.Smooth((s - FirstPrimary) / (1 - FirstPrimary))));
