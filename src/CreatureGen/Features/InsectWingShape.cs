@@ -18,9 +18,10 @@ internal static class InsectWingShape
     private const int Lines = 7;
     private const int Strips = Lines - 1;
 
-    /// <summary>Stations from one dark band across the wing to the next, of wings of a family and of those without one.</summary>
+    /// <summary>Stations from one dark band across the wing to the next; and how dark these are on broad wings and on slender ones, where they are cross veins, each strip's between those of its neighbours: plain, slender wings are planks.</summary>
     private const int Band = 4;
-    private const int BandOfBlade = 8;
+    private const float BandOfBroad = 0.22f;
+    private const float CrossVein = 0.6f;
 
     /// <summary>By how much the base of a wing without a style is broader than its outline has it, in widths.</summary>
     private const float Base = 0.16f;
@@ -79,9 +80,8 @@ internal static class InsectWingShape
         }
 
         float thickness = 0.004f * scale;
-        int band = form is null ? BandOfBlade : Band;
-        AppendLayer(builder, grid, stations, lines, up, thickness, band, aspect, membrane, vein);
-        AppendLayer(builder, grid, stations, lines, up, -thickness, band, aspect, membrane, vein);
+        AppendLayer(builder, grid, stations, lines, up, thickness, aspect, membrane, vein);
+        AppendLayer(builder, grid, stations, lines, up, -thickness, aspect, membrane, vein);
     }
 
     /// <summary>A place of a left wing, off the midline: hind wings would push through one another over the back.</summary>
@@ -101,12 +101,13 @@ internal static class InsectWingShape
     }
 
     private static void AppendLayer(
-        PieceBuilder builder, ReadOnlySpan<Vector3> grid, ReadOnlySpan<float> stations, ReadOnlySpan<float> lines, Vector3 up, float thickness, int band, float aspect, Vector3 membrane, Vector3 vein)
+        PieceBuilder builder, ReadOnlySpan<Vector3> grid, ReadOnlySpan<float> stations, ReadOnlySpan<float> lines, Vector3 up, float thickness, float aspect, Vector3 membrane, Vector3 vein)
     {
         const int RowLength = 2 * Strips;
         int rows = stations.Length;
         int first = builder.VertexCount;
         float side = thickness > 0f ? 1f : -1f;
+        float broad = Broadness(aspect);
         for (int i = 0; i < rows; i++)
         {
             for (int strip = 0; strip < Strips; strip++)
@@ -117,7 +118,7 @@ internal static class InsectWingShape
                     int j = strip + edge;
                     bool border = i == 0 || i == rows - 1 || j == 0 || j == Lines - 1;
                     Vector3 position = grid[(i * Lines) + j] + (up * (border ? 0f : thickness));
-                    builder.Vertex(position, Normal(grid, i, j) * side, Shade(strip, stations[i], lines[j], Math.Abs((2f * (i % band)) - band) / band, aspect, membrane, vein));
+                    builder.Vertex(position, Normal(grid, i, j) * side, Shade(strip, stations[i], lines[j], BandAt(i, broad < 1f ? strip : 0), broad, membrane, vein));
                 }
             }
         }
@@ -156,18 +157,17 @@ internal static class InsectWingShape
     /// <param name="s">Station along the wing, 0..1.</param>
     /// <param name="u">0 at the leading edge, 1 at the trailing one.</param>
     /// <param name="band">How far it lies on a dark band across the wing, 0..1.</param>
-    /// <param name="aspect">Width of the wing relative to its length.</param>
+    /// <param name="broad">How broad the wing is, 0..1.</param>
     /// <param name="membrane">Linear RGB between the veins.</param>
     /// <param name="vein">Linear RGB of the veins.</param>
-    private static Vector3 Shade(int strip, float s, float u, float band, float aspect, Vector3 membrane, Vector3 vein)
+    private static Vector3 Shade(int strip, float s, float u, float band, float broad, Vector3 membrane, Vector3 vein)
     {
         if (strip is 0 or 2)
         {
             return vein * (1f - (0.15f * s));
         }
 
-        float broad = Broadness(aspect);
-        float dark = 0.22f * band;
+        float dark = Scalar.Lerp(CrossVein, BandOfBroad, broad) * band;
         dark = Math.Max(dark, 0.45f * Scalar.Smooth((u - 0.8f) / 0.2f));
         if (strip == 1)
         {
@@ -184,6 +184,9 @@ internal static class InsectWingShape
         sheen = Vec.Lerp(sheen, Vec.Lerp(membrane, Vector3.One, 0.75f), broad * patch);
         return Vec.Lerp(sheen, vein, dark);
     }
+
+    /// <summary>How far a station lies on a dark band across a strip, 0..1.</summary>
+    private static float BandAt(int station, int strip) => Math.Abs((2f * ((station + (Band * (strip / 2) / 2)) % Band)) - Band) / Band;
 
     private static float Broadness(float aspect) => Scalar.Smooth((aspect - 0.32f) / 0.20f);
 
