@@ -23,6 +23,11 @@ internal static class InsectWingShape
     private const float BandOfBroad = 0.22f;
     private const float CrossVein = 0.6f;
 
+    // Half length of the pale patch of a broad wing, the line across the wing where it is palest, and from there to where it ends: cut off where its strip ends it is a pane.
+    private const float PatchLength = 0.3f;
+    private const float PatchLine = 0.63f;
+    private const float PatchWidth = 0.28f;
+
     /// <summary>By how much the base of a wing without a style is broader than its outline has it, in widths.</summary>
     private const float Base = 0.16f;
 
@@ -180,7 +185,8 @@ internal static class InsectWingShape
         Vector3 sheen = membrane * (1f - (0.12f * s));
 
         // The pale patch in the middle of a butterfly's wing, and pale dots along its margin.
-        float patch = strip == 3 ? Scalar.Smooth(1f - (Math.Abs(s - 0.52f) / 0.2f)) : strip == 4 ? 0.5f * (1f - band) * Scalar.Smooth((0.9f - u) / 0.2f) : 0f;
+        float patch = strip is 3 or 4 ? Scalar.Smooth(1f - (Math.Abs(s - 0.52f) / PatchLength)) * Math.Max(0f, 1f - (Math.Abs(u - PatchLine) / PatchWidth)) : 0f;
+        patch = strip == 4 ? Math.Max(patch, 0.5f * (1f - band) * Scalar.Smooth((0.9f - u) / 0.2f)) : patch;
         sheen = Vec.Lerp(sheen, Vec.Lerp(membrane, Vector3.One, 0.75f), broad * patch);
         return Vec.Lerp(sheen, vein, dark);
     }
@@ -198,7 +204,7 @@ internal static class InsectWingShape
         float bow = Sine(Power(s, 0.8));
         float lobe = (1.40f * Power(Sine(0.98f * Power(s, 0.62)), 0.8) * (0.35f + (0.65f * s))) + 0.07f;
         float blade = (0.80f + (0.32f * Sine(s))) * Math.Min(1f, Power(6f * s, 0.6) + 0.09f) * (float)Math.Sqrt(1f - (0.97f * s * s * s * s * s * s));
-        float fan = (0.16f + (0.86f * Power(s, 0.7))) * (1f - (0.58f * Scalar.Smooth((s - 0.82f) / 0.18f)));
+        float fan = (0.16f + (0.86f * Power(s, 0.7))) * (1f - (0.58f * Scalar.Smooth((s - 0.6f) / 0.4f)));
         lead = Scalar.Lerp(-0.15f * bow, -0.28f * Power(Sine(Power(s, 1.5)), 0.8), broad);
         trail = Scalar.Lerp(Scalar.Lerp(lobe, blade, slender), fan, broad);
 
