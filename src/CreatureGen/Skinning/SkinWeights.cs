@@ -14,15 +14,19 @@ public readonly struct SkinWeights
     private readonly short joint3;
 
     /// <summary>Takes the four influences as they are.</summary>
-    /// <exception cref="OverflowException">A joint has a number outside -32,768 to 32,767.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A joint has a number outside -32768..32767.</exception>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public SkinWeights(int joint0, int joint1, int joint2, int joint3, Vector4 weights)
     {
-        this.joint0 = checked((short)joint0);
-        this.joint1 = checked((short)joint1);
-        this.joint2 = checked((short)joint2);
-        this.joint3 = checked((short)joint3);
+        this.joint0 = (short)joint0;
+        this.joint1 = (short)joint1;
+        this.joint2 = (short)joint2;
+        this.joint3 = (short)joint3;
         Weights = weights;
+        if (Joint0 != joint0 || Joint1 != joint1 || Joint2 != joint2 || Joint3 != joint3)
+        {
+            Refuse(joint0, joint1, joint2, joint3);
+        }
     }
 
     /// <summary>Joint of the largest weight.</summary>
@@ -39,4 +43,7 @@ public readonly struct SkinWeights
 
     /// <summary>The four weights.</summary>
     public Vector4 Weights { get; }
+
+    private static void Refuse(int joint0, int joint1, int joint2, int joint3) => throw new ArgumentOutOfRangeException(
+        nameof(joint0), FormattableString.Invariant($"joints {joint0}, {joint1}, {joint2} and {joint3}; expected none outside {short.MinValue}..{short.MaxValue}"));
 }

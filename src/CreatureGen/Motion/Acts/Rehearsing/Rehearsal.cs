@@ -127,7 +127,7 @@ internal sealed class Rehearsal
         }
 
         string? refusal = null;
-        foreach (ActGain gain in act.Reaches ? reachingGains : Folds(act) ? foldedGains : gains)
+        foreach (ActGain gain in GainsOf(act))
         {
             var aim = new ActAim(act.Tool, false, usual, act.SnoutDown, default);
             refusal = null;
@@ -158,6 +158,17 @@ internal sealed class Rehearsal
         }
 
         yield return new ActAbility(act, refusal, default, ends, new ActAim(act.Tool, false, usual, act.SnoutDown, default), () => null);
+    }
+
+    /// <summary>How much of an act is tried, the most first.</summary>
+    private static ActGain[] GainsOf(Act act)
+    {
+        if (act.Reaches)
+        {
+            return reachingGains;
+        }
+
+        return Folds(act) ? foldedGains : gains;
     }
 
     /// <summary>Finds how far the trunk goes, unless that is known.</summary>
