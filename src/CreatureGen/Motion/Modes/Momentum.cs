@@ -6,7 +6,7 @@ namespace CreatureGen.Motion.Modes;
 /// <summary>A speed that has weight: it goes towards what is asked with bounded acceleration and bounded jerk, by thrust against drag, and slows down by drag and brakes.</summary>
 /// <remarks>
 /// Planned for 1/240 s at most; in each of these times the acceleration goes towards what is wanted, by no more than the jerk allows, evenly: the way is a cubic, however it is cut. Wanted is what thrust leaves over
-/// drag, or drag and brake together: a push that leads away from the goal is let go of sooner than it came; and near the goal √(j·e), e the speed that is missing, and then in proportion to it: acceleration that ends there without a step and without going beyond.
+/// drag, or drag and brake together: a push that leads away from the goal may be let go of sooner than it came; and near the goal √(j·e), e the speed that is missing, and then in proportion to it: acceleration that ends there without a step and without going beyond.
 /// </remarks>
 internal struct Momentum
 {
@@ -14,9 +14,6 @@ internal struct Momentum
 
     /// <summary>How much of the greatest acceleration is left where the last of the way to the goal begins: 1 over it.</summary>
     private const double Settling = 3;
-
-    /// <summary>How many times as quickly as it comes a push is let go of that leads away from the goal.</summary>
-    private const double LettingGo = 4;
 
     /// <summary>Metres per second.</summary>
     public double Speed;
@@ -61,7 +58,7 @@ internal struct Momentum
         double drag = limits.Drag * Speed * Speed;
         double max = Speed * missing < 0 ? limits.Braking + drag : limits.Thrust - drag;
         double wanted = Math.Min(max, Math.Min(Math.Sqrt(limits.Jerk * size), settle * size));
-        double most = Acceleration * missing < 0 ? Math.Min(LettingGo * limits.Jerk, (Math.Abs(Acceleration) / period) + limits.Jerk) : limits.Jerk;
+        double most = Acceleration * missing < 0 ? Math.Min(limits.LettingGo * limits.Jerk, (Math.Abs(Acceleration) / period) + limits.Jerk) : limits.Jerk;
         jerk = Scalar.Clamp(((missing < 0 ? -wanted : wanted) - Acceleration) / period, -most, most);
     }
 

@@ -7,9 +7,12 @@ namespace CreatureGen.Motion.Modes;
 /// <param name="Jerk">Greatest change of the acceleration, m/s³, above 0.</param>
 internal readonly record struct MomentumLimits(double Thrust, double Braking, double Drag, double Jerk)
 {
+    /// <summary>How many times as quickly as it comes a push is let go of that leads away from what is asked.</summary>
+    public double LettingGo { get; init; } = 1;
+
     /// <summary>The same with brakes so many times as strong.</summary>
     public MomentumLimits Braked(double factor) => this with { Braking = factor * Braking };
 
     /// <summary>The same where time runs so many times quicker and speeds are alike: what it reaches stays, and comes so much sooner.</summary>
-    public MomentumLimits Quickened(double factor) => new(Thrust * factor, Braking * factor, Drag * factor, Jerk * factor * factor);
+    public MomentumLimits Quickened(double factor) => this with { Thrust = Thrust * factor, Braking = Braking * factor, Drag = Drag * factor, Jerk = Jerk * factor * factor };
 }

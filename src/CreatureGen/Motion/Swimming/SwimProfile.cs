@@ -29,6 +29,9 @@ internal sealed class SwimProfile
     private const double PushOff = 1.2;
     private const double BrakingFraction = 0.45;
 
+    /// <summary>How many times as quickly as it comes a push is let go of: in the middle of a stroke.</summary>
+    private const double LettingGo = 4;
+
     /// <summary>Beats at cruise in which thrust comes up.</summary>
     private const double PushRise = 0.25;
 
@@ -254,7 +257,7 @@ internal sealed class SwimProfile
         double ratio = Math.Min(thickness / BodyLength, 1);
         double friction = SkinFriction * (1 + (1.5 * ratio * Math.Sqrt(ratio)) + (7 * ratio * ratio * ratio));
         double thrust = PushOff * CruiseSpeed * CruiseFrequency;
-        return new MomentumLimits(thrust, BrakingFraction * thrust, 0.5 * friction * 0.75 * PortableMath.Pi / (Spindle * thickness), thrust * CruiseFrequency / PushRise);
+        return new MomentumLimits(thrust, BrakingFraction * thrust, 0.5 * friction * 0.75 * PortableMath.Pi / (Spindle * thickness), thrust * CruiseFrequency / PushRise) { LettingGo = LettingGo };
     }
 
     private void Fitting(MotionSubject subject, out SwimFin[] paired, out MedianFin[] median, out SwimDisc[] discs)

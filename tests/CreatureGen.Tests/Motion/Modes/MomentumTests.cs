@@ -55,9 +55,10 @@ public sealed class MomentumTests
     [Fact]
     public void A_body_that_is_to_stop_lets_go_of_its_push_at_once()
     {
-        Momentum momentum = After(Fish, 1.3, 0.4, 60);
+        MomentumLimits swimmer = Fish with { LettingGo = 4 };
+        Momentum momentum = After(swimmer, 1.3, 0.4, 60);
         Assert.InRange(momentum.Acceleration, 0.8 * Fish.Thrust, Fish.Thrust);
-        momentum.Step(0, Fish, 0.1);
+        momentum.Step(0, swimmer.Quickened(1), 0.1);
         Assert.InRange(momentum.Acceleration, -Fish.Thrust, 0);
     }
 

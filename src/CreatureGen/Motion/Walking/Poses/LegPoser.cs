@@ -117,7 +117,7 @@ internal sealed class LegPoser
 
         float pitch = leg.FlatFoot ? FootRoll.ToePitch(foot.Path.Posture.Shown.Pitch) : foot.Path.Posture.Shown.Pitch;
 
-        // As the ankle comes up for it the shank leans farther, and asks for more. A foot that stands is laid until it is there, each time as much farther as the last was too little: what was left of it came and went, and dragged the foot.
+        // As the ankle comes up for it the shank leans farther, and asks for more. A foot that stands is laid until it is there, each time as much farther as the last was too little: what was left of it came and went, and dragged the foot. Those of linked legs get there by themselves.
         float renewed = stands ? 1f : laid;
         float asked = excess;
         for (int i = 0; i < (renewed > 0f ? RelaxationRounds : 1) && fraction > 0f && excess > 0f; i++)
@@ -141,7 +141,8 @@ internal sealed class LegPoser
             }
 
             metatarsus = PoseFoot(leg, solved, lying, local, far, stands ? 1f : linked ? limit.Held : laid, out astray, out excess);
-            fraction = stands ? Math.Min(fraction / Math.Max(1f - (excess / asked), 1f / MostGain), MostGain) : i == 0 ? fraction * renewed : fraction;
+            bool nears = stands && !linked && excess < asked;
+            fraction = nears ? Math.Min(fraction / Math.Max(1f - (excess / asked), 1f / MostGain), MostGain) : stands ? Math.Min(fraction, 1f) : i == 0 ? fraction * renewed : fraction;
             asked = excess;
         }
 
