@@ -24,6 +24,18 @@ public class FlankTests
 {
     private const float Rate = 60f;
 
+    /// <summary>Necks bend no farther than they do: crests and frills went into the ground by up to .062 of the body's length as these rolled.</summary>
+    [Theory]
+    [InlineData(24500000UL)]
+    [InlineData(22300032UL, Explicit = true)]
+    public void Who_rolls_over_with_a_frill_or_a_crest_is_lifted_over_it(ulong seed)
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Flying }));
+        ActReport report = ActTrial.Of(profile).Single(trial => trial.Ability.Act.Name == "Die").Run(profile);
+        Assert.InRange(report.Penetration!.Value, 0f, 0.01f);
+        Assert.InRange(report.JointSpeed, 0f, 60f);
+    }
+
     [Theory]
     [InlineData(BodyPlan.Digitigrade, "Die")]
     [InlineData(BodyPlan.Unguligrade, "Die", Explicit = true)]
@@ -230,6 +242,7 @@ public class FlankTests
             this.ability = ability;
             Animator = new CreatureAnimator(profile);
             Animator.Teleport(Animator.Root, FlatGround.Level);
+            Walkers.Run(Animator, 1f, Rate, default, FlatGround.Level);
             chest = profile.Subject.Skeleton.IndexOf("Chest");
             stood = Animator.ModelPose.Positions[chest].Y;
             Vector3 left = LeftOf(Animator, chest);

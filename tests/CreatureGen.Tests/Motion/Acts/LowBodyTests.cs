@@ -54,6 +54,15 @@ public class LowBodyTests
     [InlineData(11200086UL, "Bite", Explicit = true)]
     public void Many_feet_do_not_keep_a_body_from_biting_and_threatening(ulong seed, string act) => Assert.Null(Strange(seed).Acts.Find(act).Refusal);
 
+    /// <summary>Its trunk was away before its knees could go along, and a foot slipped by .019 of its leg.</summary>
+    [Fact]
+    public void The_feet_of_a_centipede_stay_where_they_stand_as_it_starts()
+    {
+        MotionProfile profile = Of(BodyPlan.ManyLegged, 24353267);
+        ActReport report = ActTrial.Of(profile).Single(trial => trial.Ability.Act.Name == "Flinch").Run(profile);
+        Assert.InRange(report.FootSlip!.Value, 0f, 0.01f);
+    }
+
     [Theory]
     [InlineData(11200000UL)]
     [InlineData(11200004UL, Explicit = true)]

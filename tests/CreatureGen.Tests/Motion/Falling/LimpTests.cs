@@ -98,6 +98,39 @@ public sealed class LimpTests
         }
     }
 
+    /// <summary>It rolled on until it was belly up, its legs folded on it, or rose before it had come to lie.</summary>
+    [Theory]
+    [InlineData(24241010UL)]
+    [InlineData(24502007UL)]
+    [InlineData(24502004UL, Explicit = true)]
+    public void Who_is_knocked_down_on_four_legs_lies_on_its_flank_before_it_rises(ulong seed)
+    {
+        const float MaxUp = 0.3f;
+        const float LeastTime = 6f;
+        const float MinLegs = 0.45f;
+        Creature creature = CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking });
+        var profile = new MotionProfile(creature);
+        var animator = new CreatureAnimator(profile);
+        animator.Teleport(RootPlace.Identity, FlatGround.Level);
+        Walkers.Run(animator, 1f, 60f, default, FlatGround.Level);
+        float unit = MathF.Sqrt(9.81f * profile.LegLength);
+        animator.Hit(creature.Skeleton.FirstOf(JointRole.Head), new Vector3(-0.8f * unit * creature.Mass.Mass, 0f, 0f));
+        int frames = 0;
+        do
+        {
+            animator.Update(Frame, default, FlatGround.Level);
+            frames++;
+        }
+        while (animator.State == BodyState.Limp);
+
+        int pelvis = creature.Skeleton.FirstOf(JointRole.Pelvis);
+        Quaternion turn = Rotation.Multiply(animator.ModelPose.Rotations[pelvis], Rotation.Inverse(creature.Skeleton.ModelRotations[pelvis]));
+        float legs = profile.Legs!.Legs.Average(leg => Vec.Distance(animator.ModelPose.Positions[leg.Hip], animator.ModelPose.Positions[leg.Ankle]) / leg.Length);
+        Assert.InRange(Rotation.Rotate(turn, Vector3.UnitY).Y, -MaxUp, MaxUp);
+        Assert.InRange(frames * Frame, LeastTime * MathF.Sqrt(profile.LegLength / 9.81f), 20f);
+        Assert.InRange(legs, MinLegs, 1f);
+    }
+
     /// <summary>The speed at which it had walked was shown until it stood again.</summary>
     [Fact]
     public void Who_lies_and_gets_up_goes_at_no_speed()

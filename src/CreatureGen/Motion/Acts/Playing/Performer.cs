@@ -233,6 +233,7 @@ internal sealed class Performer
         layer.Turn(values, side, carried, local);
         ForwardKinematics.LocalToModel(body.Skeleton, local, model);
         Settled = 0f;
+        Lifted = 0f;
         over = 0f;
         if (carried)
         {
@@ -293,6 +294,9 @@ internal sealed class Performer
     /// <summary>How far the ground has raised the body that lies on it, metres; negative where it came down to it. 0 of one that rolls over, which the ground has to raise.</summary>
     public float Settled { get; private set; }
 
+    /// <summary>How far it is lifted over its head as it rolls, metres.</summary>
+    public float Lifted { get; private set; }
+
     /// <summary>Brings a body none of whose feet stands to the ground: neither in it nor in the air above it.</summary>
     private void Settle(in ActGround ground, in Pose local, in Pose model)
     {
@@ -310,13 +314,13 @@ internal sealed class Performer
         }
     }
 
-    /// <summary>Lifts a body that is over by what of its head is in the ground still: a frill or a crest is wider than its neck bends as it rolls.</summary>
+    /// <summary>Lifts a body that is over by what of its head is in the ground still: a frill or a crest is wider than its neck bends as it rolls. Who lies on its back would hang in the air over it.</summary>
     private void LiftOverHead(in ActGround ground, in Pose local, in Pose model)
     {
-        if (over != 0f && layer.Loose > 0f)
+        if (over != 0f && layer.Loose > 0f && room.Legs.Flank <= LyingSide.Flank.Farthest)
         {
-            float sunk = Math.Max(0f, -body.HeadSkin.Lowest(ground, model));
-            local.Positions[body.Body] += new Vector3(0f, Scalar.Smooth(layer.Loose / Borne) * sunk, 0f);
+            Lifted = Scalar.Smooth(layer.Loose / Borne) * Math.Max(0f, -body.HeadSkin.Lowest(ground, model));
+            local.Positions[body.Body] += new Vector3(0f, Lifted, 0f);
             ForwardKinematics.LocalToModel(body.Skeleton, local, model);
         }
     }

@@ -128,5 +128,8 @@ internal sealed class ActStage
     /// <summary>How much deeper the skin is in the ground than where the creature stands, or would be if the ground did not raise the body, parts of its length; 0 where no ground carries it.</summary>
     public float Sunk() => body.Legs == null && body.Build != BodyBuild.Legless ? 0f : Math.Max(Math.Max(0f, performer.Settled), Math.Min(standing, 0f) - body.Skin.Lowest(Model)) / body.Size;
 
+    /// <summary>How far it hangs in the air over its head, parts of its length: as it rolls it may, as it lies it would be in the ground.</summary>
+    public float Lifted() => performer.Lifted / body.Size;
+
     private Vector3 SoleOf(int foot) => SoleMiddle.Of(body.Legs!.Legs[foot], body.Skeleton, Model);
 }

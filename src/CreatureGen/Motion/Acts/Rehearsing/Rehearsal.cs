@@ -262,7 +262,8 @@ internal sealed class Rehearsal
                     yield break;
                 }
 
-                if (stage.Sunk() > MaxSunk)
+                bool rests = k == moments && act.Phases[phase].Lasts;
+                if (stage.Sunk() + (rests ? stage.Lifted() : 0f) > MaxSunk)
                 {
                     yield return "it would sink into the ground";
                     yield break;
