@@ -31,7 +31,7 @@ internal static class Attacks
             new ActPhase("wrench", 3f).To(Pitch, 0.15f).With(new ActWave(NeckSide, 0.25f, 2f)).With(new ActWave(HeadRoll, 0.25f, 2f)).With(new ActWave(Roll, 0.25f, 2f, 0.2f)),
             new ActPhase("recover", 6f).To(Reach, 0f).To(Pitch, 0f).To(HeadPitch, 0f).To(TailPitch, 0f))
             .Needing(ActNeeds.Jaw).With(ActTool.Mouth).For(BodyBuild.Airborne),
-        BiteOnLegs(-0.25f, 0.15f, new ActPhase("wrench", 1.5f).With(new ActWave(HeadSide, 0.2f, 1.5f)).With(new ActWave(HeadRoll, 0.35f, 1.5f))).For(BodyBuild.ManyLegged),
+        BiteOnLegs(-0.25f, 0.15f, new ActPhase("wrench", 1.5f).With(new ActWave(HeadSide, 0.2f, 1.5f)).With(new ActWave(HeadRoll, 0.35f, 1.5f))).For(BodyBuild.ManyLegged | BodyBuild.Sprawling),
         BiteOnLegs(0.10f, 0f, new ActPhase("wrench", 1.5f).With(new ActWave(BackSide, 0.12f, 1.5f)).With(new ActWave(HeadRoll, 0.25f, 1.5f))).For(BodyBuild.Standing),
         BiteOnLegs(0.10f, 0f, new ActPhase("wrench", 1.5f).With(new ActWave(HeadSide, 0.2f, 1.5f)).With(new ActWave(HeadRoll, 0.35f, 1.5f))).For(BodyBuild.ManyLegged | BodyBuild.Sprawling),
         new Act("Gore", ActKind.Strike,
@@ -96,7 +96,7 @@ internal static class Attacks
     };
 
     /// <summary>Drawn back over the feet, struck out, and wrenched to and fro and back: by the back, or by the head alone where low legs, or many, leave that no room.</summary>
-    /// <param name="drawn">How far the chest is let down as it draws back: many legs raise it, whose necks are short.</param>
+    /// <param name="drawn">How far the chest is let down as it draws back: low bodies and many legs raise it, whose necks are short.</param>
     /// <param name="thrown">How far ahead of where it stands and down the trunk is thrown besides.</param>
     /// <param name="wrench">What it does with what it has bitten.</param>
     private static Act BiteOnLegs(float drawn, float thrown, ActPhase wrench) => new Act("Bite", ActKind.Strike,
