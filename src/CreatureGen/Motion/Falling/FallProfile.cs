@@ -59,7 +59,7 @@ internal sealed class FallProfile
         Skeleton = subject.Skeleton;
         bool topples = legs != null && legs.Legs.Length >= FourFooted && !Array.Exists(legs.Legs, leg => leg.Lateral);
         Ragdoll = topples ? new RagdollRig(subject.Skeleton, subject.Bones, PassiveLimit.Of) : new RagdollRig(subject.Skeleton, subject.Bones);
-        Tone = topples ? LimpTone.OnSide(Ragdoll) : LimpTone.Together(Ragdoll);
+        Tone = LimpTone.Of(Ragdoll, topples || (legs != null && subject.Skeleton.FirstOf(JointRole.Wing) >= 0), topples);
         ToppleSide = !topples ? 0f : (subject.Seed & 1) == 0 ? 1f : -1f;
         Manner = RisingManner.Of(subject);
         Mass = Math.Max(subject.Mass.Mass, 1e-4f);

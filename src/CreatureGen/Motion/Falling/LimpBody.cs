@@ -87,6 +87,7 @@ internal sealed class LimpBody
         before.Finish();
         Ragdoll.Start(profile.Ragdoll, ragdoll, place, now.Model, placeBefore, before.Model, dt, ground);
         Ragdoll.Aim(profile.Ragdoll, ragdoll, now.Model);
+        profile.Tone.Relax(ragdoll.Targets);
         before.Take(shown);
         Vector3 velocity = dt > 0f ? (place.Position - placeBefore.Position) / dt : Vector3.Zero;
         topple.Begin(Rotation.Rotate(place.Rotation, Vector3.UnitX), Rotation.Rotate(place.Rotation, Vector3.UnitZ), profile.ToppleSide, velocity, (float)Math.Sqrt(StandardGravity.Acceleration * profile.Height * place.Scale));

@@ -1,4 +1,5 @@
 using System;
+using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit;
 using CreatureGen.Rigging;
@@ -24,35 +25,55 @@ internal sealed class LimpTone
     private const float TendonsEnd = 3f;
     private const float Slack = 0.45f;
 
+    /// <summary>That of wings, which fall half open, 1/τ, but on a body that rolls onto its flank, which they would prop up; how far one of them and the other is from where it was to where it is at rest, spread.</summary>
+    private const float WingTone = 2f;
+    private const float Opened = 0.5f;
+    private const float LessOpened = 0.3f;
+
     private readonly bool[] isNeck;
     private readonly float[] tendons;
+    private readonly float[] opened;
 
-    private LimpTone(bool[] isNeck, float[] tendons)
+    private LimpTone(bool[] isNeck, float[] tendons, float[] opened)
     {
         this.isNeck = isNeck;
         this.tendons = tendons;
+        this.opened = opened;
     }
 
-    /// <summary>All together.</summary>
+    /// <summary>How muscles of a body let go.</summary>
     /// <param name="rig">Its parts.</param>
-    public static LimpTone Together(RagdollRig rig) => new(new bool[rig.Count], new float[rig.Count]);
-
-    /// <summary>The neck last, and legs unfold again somewhat, each as it likes.</summary>
-    /// <param name="rig">Its parts.</param>
-    public static LimpTone OnSide(RagdollRig rig)
+    /// <param name="neckLast">Whether its neck lets go after all else: on two legs with wings it would come down on its head.</param>
+    /// <param name="unfolds">Whether its legs unfold again somewhat, each as it likes.</param>
+    public static LimpTone Of(RagdollRig rig, bool neckLast, bool unfolds)
     {
         var isNeck = new bool[rig.Count];
         var tendons = new float[rig.Count];
+        var opened = new float[rig.Count];
         int leg = 0;
         for (int i = 0; i < isNeck.Length; i++)
         {
-            JointRole role = rig.Skeleton.Joints[rig.Parts[i].Joint].Role;
-            isNeck[i] = role is JointRole.Neck or JointRole.Head;
+            int joint = rig.Parts[i].Joint;
+            JointRole role = rig.Skeleton.Joints[joint].Role;
+            isNeck[i] = neckLast && (role is JointRole.Neck or JointRole.Head);
             leg += role == JointRole.Hip ? 1 : 0;
-            tendons[i] = role is JointRole.Hip or JointRole.Knee or JointRole.Ankle or JointRole.Ball ? TendonTone * (1f - (Slack * (leg % 3))) : 0f;
+            opened[i] = role != JointRole.Wing || unfolds ? 0f : rig.Skeleton.ModelPositions[joint].X > 0f ? Opened : LessOpened;
+            tendons[i] = opened[i] > 0f ? WingTone
+                : unfolds && (role is JointRole.Hip or JointRole.Knee or JointRole.Ankle or JointRole.Ball) ? TendonTone * (1f - (Slack * (leg % 3)))
+                : 0f;
         }
 
-        return new LimpTone(isNeck, tendons);
+        return new LimpTone(isNeck, tendons, opened);
+    }
+
+    /// <summary>Has muscles pull to where they would let parts come to: wings to half open.</summary>
+    /// <param name="targets">Turns from rest, in the parents' axes.</param>
+    public void Relax(Span<Quaternion> targets)
+    {
+        for (int i = 0; i < targets.Length; i++)
+        {
+            targets[i] = opened[i] > 0f ? Rotation.Nlerp(targets[i], Quaternion.Identity, opened[i]) : targets[i];
+        }
     }
 
     /// <summary>Writes the tone of each part.</summary>
