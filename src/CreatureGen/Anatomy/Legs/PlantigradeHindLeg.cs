@@ -23,9 +23,9 @@ internal static class PlantigradeHindLeg
                 new() { Forward = 60, Down = 200, Outward = 60, ForeRadius = 980, SideRadius = 860, SideOffset = -70 },
                 new() { Forward = 110, Down = 430, Outward = 60, ForeRadius = 680, SideRadius = 480, ForeOffset = -90 },
                 new() { Forward = 20, Down = 620, Outward = 40, ForeRadius = 520, SideRadius = 490, ForeOffset = -40 },
-                new() { Forward = -50, Down = 800, Outward = 30, ForeRadius = 350, SideRadius = 320, ForeOffset = -50 },
-                new() { Forward = 60, Down = 915, Outward = 30, ForeRadius = 290, SideRadius = 385 },
-                new() { Forward = 200, Down = 955, Outward = 30, ForeRadius = 270, SideRadius = 455 },
+                new() { Forward = -50, Down = 800, Outward = 30, ForeRadius = 350, SideRadius = 305, ForeOffset = -50 },
+                new() { Forward = 60, Down = 915, Outward = 30, ForeRadius = 290, SideRadius = 485 },
+                new() { Forward = 200, Down = 955, Outward = 30, ForeRadius = 270, SideRadius = 540 },
             },
         },
         build: new LegBuild(LimbPosture.Under)
