@@ -31,7 +31,7 @@ internal static class BodySampler
     private const double FallingTail = 12;
 
     /// <summary>The part of a fan of feathers that is spread on the ground, where birds close it: spread it is an apron over the legs from behind.</summary>
-    private const double ClosedFan = 0.7;
+    private const double ClosedFan = 0.52;
 
     /// <summary>How far the edges of a ray are bent at least, metres at one metre from the midline: level, it is a spindle from the side.</summary>
     private const double LeastCurl = 0.38;
