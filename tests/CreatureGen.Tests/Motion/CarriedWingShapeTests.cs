@@ -13,10 +13,10 @@ namespace CreatureGen.Tests.Motion;
 /// <summary>What wings of walkers look like as these carry them.</summary>
 public sealed class CarriedWingShapeTests
 {
-    /// <summary>How far an arm is raised, radians.</summary>
-    private const float Raised = 0.8f;
+    /// <summary>How far an arm is turned with its rear edge up, radians.</summary>
+    private const float Turned = 0.6f;
 
-    /// <summary>Most that skin of wings which lies beside the trunk goes up as the arm is raised, in the height of the back: what the flank holds was a spike over it where it turned with the arm.</summary>
+    /// <summary>Most that skin of wings which lies beside the trunk goes up as the arm is turned, in the height of the back: what the flank holds was a spike of .17 to .19 over it where it turned with the arm.</summary>
     private const float Highest = 0.1f;
 
     [Theory]
@@ -29,7 +29,7 @@ public sealed class CarriedWingShapeTests
         Skeleton skeleton = creature.Skeleton;
         var pose = new Pose(skeleton.LocalRotations.ToArray(), skeleton.LocalPositions.ToArray());
         int shoulder = skeleton.IndexOf("Wing_L1_1");
-        pose.Rotations[shoulder] = Rotation.Multiply(AxisRotation.Roll(Raised), pose.Rotations[shoulder]);
+        pose.Rotations[shoulder] = Rotation.Multiply(AxisRotation.Pitch(Turned), pose.Rotations[shoulder]);
         var model = new Pose(new Quaternion[skeleton.Count], new Vector3[skeleton.Count]);
         ForwardKinematics.LocalToModel(skeleton, pose, model);
         Vector3[] rest = creature.Mesh.Positions.ToArray();
