@@ -73,7 +73,8 @@ internal sealed class GrownSurface
 
         foreach (WingBlueprint wing in blueprint.Wings)
         {
-            Take(wing.Style == WingStyle.Folded ? FoldedWingGrower.Grow(body, wing, appendages.Count) : WingGrower.Grow(body, wing, appendages.Count, FreeBehind(blueprint, wing.Socket)), wing.Socket);
+            Appendage grown = wing.Style == WingStyle.Folded ? FoldedWingGrower.Grow(body, wing, appendages.Count) : WingGrower.Grow(body, wing, appendages.Count, FreeBehind(blueprint, wing.Socket));
+            Take(grown with { IsCarried = blueprint.Kind == LocomotionKind.Walking }, wing.Socket);
         }
 
         foreach (FinBlueprint fin in blueprint.Fins)

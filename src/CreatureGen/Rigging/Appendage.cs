@@ -43,4 +43,7 @@ internal sealed record Appendage
 
     /// <summary>Whether the flank holds its rear edge near the root, as it does that of a membrane.</summary>
     public bool HeldByFlank { get; init; }
+
+    /// <summary>Whether it is a wing of what goes on its legs alone, which carries it raised and does not fold it as fliers do.</summary>
+    public bool IsCarried { get; init; }
 }

@@ -29,10 +29,10 @@ internal sealed class LimbProfile
     /// <summary>The same at the ball of a foot, where heels and hind toes would sink as it rolls.</summary>
     private const float WidestAtBall = 0.45f;
 
-    // By which share of its span farther out a membrane is all its own at the trailing edge, what part of the skin at its root the flank holds there beside the leading edge, and in which part of the stretch at its root it lets none of that go: it grows along the flank, and what turned with the arm stood up as spikes where it folds.
+    // By which share of its span farther out a membrane is all its own at the trailing edge, what part of the skin at its root the flank holds there beside the leading edge, and in which part of the stretch at its root it lets none of that go where wings are not folded: it grows along the flank, and what turned with the arm stood up as spikes where it folds.
     private const float HeldByFlank = 0.15f;
-    private const float HeldAtRoot = 0.8f;
-    private const float HeldAlong = 0.7f;
+    private const float HeldAtRoot = 0.7f;
+    private const float HeldAlong = 0.8f;
 
     private const int Ball = 3;
 
@@ -128,7 +128,7 @@ internal sealed class LimbProfile
         float x = Scalar.Clamp(address.Along, 0f, 1f);
         float chord = appendage.HeldByFlank ? 0.5f * (1f - (float)PortableMath.Cos(address.Around)) : 0f;
         float first = rootFraction * (1f - (HeldAtRoot * chord));
-        float own = (first + ((1f - first) * Scalar.Smooth((x - (HeldAlong * rootEnd * chord)) / (rootEnd + (HeldByFlank * chord))))) * hold;
+        float own = (first + ((1f - first) * Scalar.Smooth((x - ((appendage.IsCarried ? HeldAlong : 0f) * rootEnd * chord)) / (rootEnd + (HeldByFlank * chord))))) * hold;
         float rest = 1f - own;
         int root = legged ? 1 : 0;
         if (legged)
