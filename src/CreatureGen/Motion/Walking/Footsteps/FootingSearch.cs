@@ -138,9 +138,9 @@ internal sealed partial class FootingSearch
         {
             place.Below = sole.Heel == SoleEnd.Hangs ? Math.Min(sole.Below - sole.Raise, 0f) : 0f;
             float bent = WhollyBent * shape.Length;
-            place.Overhangs = sole.Toes == SoleEnd.Hangs ? 1f : Scalar.Smooth(sole.UnderToes / bent);
             place.InWall = sole.Toes == SoleEnd.Wall || sole.Heel == SoleEnd.Wall;
             place.MeetsWall = sole.Toes == SoleEnd.Wall || sole.Before == SoleEnd.Wall;
+            place.Overhangs = sole.Toes == SoleEnd.Hangs ? 1f : place.MeetsWall ? 0f : Scalar.Smooth(sole.UnderToes / bent);
             place.Whole = place.MeetsWall || sole.Heel == SoleEnd.Hangs ? 1f : Scalar.Smooth(sole.UnderHeel / bent);
             place.Position += up * (sole.Raise * step.Frame.Scale);
             Vector3 tilt = Rotation.Rotate(step.Frame.Rotation, (sole.Ahead * sole.Slope) + (sole.Aside * sole.Tilt));

@@ -18,8 +18,10 @@ internal sealed class LegPoser
     /// <summary>How often a foot that yields to its joints is laid on the ground anew at most.</summary>
     private const int RelaxationRounds = 3;
 
-    /// <summary>How much farther it is laid at most than its joints ask at that moment, since they ask for more as it is laid.</summary>
+    /// <summary>How much farther it is laid at most than its joints ask at that moment, since they ask for more as it is laid; of legs that are folded up, whose joints ask for more than that, no farther: half the angles in radians.</summary>
     private const float MostGain = 4f;
+    private const float Foreseen = 0.12f;
+    private const float Unforeseen = 0.2f;
 
     /// <summary>How far a flat foot that trails behind is pointed beyond its pitch in the swing, radians.</summary>
     private const float TrailedPitch = 0.9f;
@@ -120,6 +122,7 @@ internal sealed class LegPoser
         // As the ankle comes up for it the shank leans farther, and asks for more. A foot that stands is laid until it is there, each time as much farther as the last was too little: what was left of it came and went, and dragged the foot. Those of linked legs get there by themselves.
         float renewed = stands ? 1f : laid;
         float asked = excess;
+        float gain = stands && !linked ? MostGain - ((MostGain - 1f) * Scalar.Smooth((excess - Foreseen) / (Unforeseen - Foreseen))) : 1f;
         for (int i = 0; i < (renewed > 0f ? RelaxationRounds : 1) && fraction > 0f && excess > 0f; i++)
         {
             Quaternion level = wanted.Toes;
@@ -141,8 +144,15 @@ internal sealed class LegPoser
             }
 
             metatarsus = PoseFoot(leg, solved, lying, local, far, stands ? 1f : linked ? limit.Held : laid, out astray, out excess);
-            bool nears = stands && !linked && excess < asked;
-            fraction = nears ? Math.Min(fraction / Math.Max(1f - (excess / asked), 1f / MostGain), MostGain) : stands ? Math.Min(fraction, 1f) : i == 0 ? fraction * renewed : fraction;
+            if (stands)
+            {
+                fraction = excess < asked ? Math.Min(fraction / Math.Max(1f - (excess / asked), 1f / gain), gain) : Math.Min(fraction, 1f);
+            }
+            else
+            {
+                fraction *= i == 0 ? renewed : 1f;
+            }
+
             asked = excess;
         }
 

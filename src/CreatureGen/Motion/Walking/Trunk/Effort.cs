@@ -44,7 +44,7 @@ internal readonly record struct Effort(float HindDrop, float ForeDrop, float Shi
     private const float LateralFraction = 0.3f;
     private const float ColumnarFraction = 0.6f;
 
-    /// <summary>Height of the belly below which a body comes down less, leg lengths: long low ones would dive at each start.</summary>
+    /// <summary>Height of the belly below which a body on legs under it comes down less, leg lengths: long low ones would dive at each start.</summary>
     private const float LowBelly = 0.8f;
 
     // The front of bodies that fly stays up, for the room that their wings need; necks and backs of such show nothing.
@@ -68,7 +68,7 @@ internal readonly record struct Effort(float HindDrop, float ForeDrop, float Shi
                 : new Effort(-SitOfBraking * push * shown, WingedRiseOfBraking * push * shown, ShiftOfBraking * push * shown, LeanOfBraking * leaning, 0f, 0f);
         }
 
-        float drop = push * shown * Math.Min(body.BellyHeight / (LowBelly * body.LegLength), 1f);
+        float drop = push * shown * (body.Legs[0].Lateral ? 1f : Math.Min(body.BellyHeight / (LowBelly * body.LegLength), 1f));
         return push > 0f
             ? new Effort(CrouchOfStart * drop, DropOfStart * drop, ShiftOfStart * push * shown, LeanOfStart * leaning, TuckOfStart * push, NeckOfStart * push)
             : new Effort(-SitOfBraking * drop, RiseOfBraking * push * shown, ShiftOfBraking * push * shown, LeanOfBraking * leaning, -TuckOfBraking * push, NeckOfBraking * push);
