@@ -19,7 +19,7 @@ internal sealed class LegPoser
     private const int RelaxationRounds = 3;
 
     /// <summary>How much farther it is laid at most than its joints ask at that moment, since they ask for more as it is laid; of legs that are folded up, whose joints ask for more than that, no farther: half the angles in radians.</summary>
-    private const float MostGain = 4f;
+    private const float MostGain = 1.5f;
     private const float Foreseen = 0.12f;
     private const float Unforeseen = 0.2f;
 
