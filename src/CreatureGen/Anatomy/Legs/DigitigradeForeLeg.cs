@@ -23,8 +23,8 @@ internal static class DigitigradeForeLeg
                 new() { Forward = -70, Down = 400, Outward = 30, ForeRadius = 465, SideRadius = 350, ForeOffset = -25 },
                 new() { Forward = -30, Down = 570, Outward = 20, ForeRadius = 340, SideRadius = 340 },
                 new() { Forward = 0, Down = 820, Outward = 10, ForeRadius = 220, SideRadius = 198 },
-                new() { Forward = 30, Down = 945, Outward = 10, ForeRadius = 270, SideRadius = 310 },
-                new() { Forward = 110, Down = 965, Outward = 10, ForeRadius = 260, SideRadius = 395 },
+                new() { Forward = 30, Down = 945, Outward = 10, ForeRadius = 270, SideRadius = 365 },
+                new() { Forward = 110, Down = 965, Outward = 10, ForeRadius = 260, SideRadius = 440 },
             },
         },
         build: new LegBuild(LimbPosture.Under)

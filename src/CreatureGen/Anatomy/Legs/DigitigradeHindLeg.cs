@@ -19,14 +19,14 @@ internal static class DigitigradeHindLeg
             Rows = new LegSection[]
             {
                 new() { Forward = 0, Down = 0, Outward = 0, ForeRadius = 1000, SideRadius = 800 },
-                new() { Forward = 60, Down = 170, Outward = 50, ForeRadius = 1020, SideRadius = 780, SideOffset = -80 },
+                new() { Forward = 60, Down = 170, Outward = 50, ForeRadius = 1020, SideRadius = 830, SideOffset = -80 },
                 new() { Forward = 120, Down = 370, Outward = 50, ForeRadius = 590, SideRadius = 445, ForeOffset = -40, SideOffset = -20 },
                 new() { Forward = -20, Down = 530, Outward = 30, ForeRadius = 450, SideRadius = 415, ForeOffset = -30 },
                 new() { Forward = -110, Down = 635, Outward = 24, ForeRadius = 300, SideRadius = 220, ForeOffset = -35 },
                 new() { Forward = -170, Down = 700, Outward = 20, ForeRadius = 285, SideRadius = 275, ForeOffset = -40 },
-                new() { Forward = -130, Down = 860, Outward = 20, ForeRadius = 190, SideRadius = 205 },
-                new() { Forward = -70, Down = 945, Outward = 20, ForeRadius = 270, SideRadius = 265 },
-                new() { Forward = 30, Down = 965, Outward = 20, ForeRadius = 260, SideRadius = 350 },
+                new() { Forward = -130, Down = 860, Outward = 20, ForeRadius = 190, SideRadius = 178 },
+                new() { Forward = -70, Down = 945, Outward = 20, ForeRadius = 270, SideRadius = 355 },
+                new() { Forward = 30, Down = 965, Outward = 20, ForeRadius = 260, SideRadius = 440 },
             },
         },
         build: new LegBuild(LimbPosture.Under)

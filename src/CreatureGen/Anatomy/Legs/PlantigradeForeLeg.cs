@@ -24,8 +24,8 @@ internal static class PlantigradeForeLeg
                 new() { Forward = -70, Down = 460, Outward = 40, ForeRadius = 620, SideRadius = 450, ForeOffset = -60 },
                 new() { Forward = -25, Down = 620, Outward = 30, ForeRadius = 485, SideRadius = 480 },
                 new() { Forward = -10, Down = 800, Outward = 20, ForeRadius = 315, SideRadius = 295 },
-                new() { Forward = 80, Down = 915, Outward = 20, ForeRadius = 290, SideRadius = 420 },
-                new() { Forward = 200, Down = 955, Outward = 20, ForeRadius = 270, SideRadius = 495 },
+                new() { Forward = 80, Down = 915, Outward = 20, ForeRadius = 290, SideRadius = 485 },
+                new() { Forward = 200, Down = 955, Outward = 20, ForeRadius = 270, SideRadius = 540 },
             },
         },
         build: new LegBuild(LimbPosture.Under)
