@@ -58,6 +58,7 @@ internal sealed class BodySkin
 
         ValueList<HeadBump> relief = Girdles.Of(creature, shape);
         double[] withers = WithersLine.Of(creature, shape);
+        var neck = new NeckOutline(shape);
         for (int i = 0; i < BodyGrid.Rings; i++)
         {
             if (shape.TopExponent[i] != topExponent || shape.BottomExponent[i] != bottomExponent)
@@ -86,6 +87,13 @@ internal sealed class BodySkin
             for (int j = 0; j < Half / 2 && withers[i] != 1; j++)
             {
                 y[j] *= (float)Scalar.Lerp(1, withers[i], WithersLine.Share(j));
+            }
+
+            (float breadth, float depth) = (neck.BreadthAt(i), neck.DepthAt(i));
+            for (int j = 0; j <= Half && (breadth != 1f || depth != 1f); j++)
+            {
+                x[j] *= breadth;
+                y[j] *= j < Half / 2 ? 1f : depth;
             }
 
             ApplyShell(body.Shell, i, x, y);
@@ -211,7 +219,7 @@ internal sealed class BodySkin
                 double q = Scalar.Smooth((ring - 46) / 8.0);
                 double edge = Math.Min(1, across);
                 double quill = Math.Min(1, tailStep / 0.055);
-                return (float)(quill * ((-q * (0.06 + (0.8 * tail.Size)) * (1 - (edge * edge))) + (q * 0.05 * PortableMath.Cos(across * PortableMath.Pi * 5))));
+                return (float)(quill * ((-q * (0.06 + (0.8 * tail.Size)) * (1 - (edge * edge))) + (q * 0.035 * PortableMath.Cos(across * PortableMath.Pi * 5))));
             default:
                 if (TailFin.Of(tail.Style) is TailFin fin)
                 {

@@ -35,7 +35,7 @@ internal static class TailShaper
     private const int FanThins = 48;
 
     // Half width of a small fan in its sizes, by which part of itself it is narrower for each metre of its size, and how late it opens: a narrow one is an apron from behind.
-    private const double FanSpread = 2.6;
+    private const double FanSpread = 2.4;
     private const double WideFan = 3;
     private const double FanOpening = 1.3;
 

@@ -24,8 +24,8 @@ internal struct Foothold
     /// <summary>How high the ground under the sole is in the mean above it, metres of the model: below 0 where its heel hangs over the edge that it came up, else 0. Bodies go by the ground and not by the edges that they climb.</summary>
     public float Below;
 
-    /// <summary>How far its toes are in the air, 0..1, over an edge or where bent ground bears the middle of its sole: so much less it rolls over them.</summary>
-    public float Overhangs;
+    /// <summary>Whether its toes hang over an edge: it does not roll over them.</summary>
+    public bool Overhangs;
 
     /// <summary>How far a foot comes down here with its whole sole at once instead of its heel first, 0..1: all the way before a wall, and where its heel hangs over an edge or is in the air on bent ground.</summary>
     public float Whole;

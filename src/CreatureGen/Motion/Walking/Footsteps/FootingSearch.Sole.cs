@@ -35,8 +35,7 @@ internal sealed partial class FootingSearch
         /// <summary>Height above the place.</summary>
         public float Raise;
 
-        /// <summary>How high its ends are above bent ground on which its middle stands.</summary>
-        public float UnderToes;
+        /// <summary>How high its heel is above bent ground on which its middle stands.</summary>
         public float UnderHeel;
 
         /// <summary>Height of the ground under its heel, that part of it which counts.</summary>

@@ -50,7 +50,7 @@ internal sealed partial class FootingSearch
     /// <summary>Rise over its distance up to which a sole is laid on bent ground; from twice that on it is not.</summary>
     private const float BendOfGround = 0.4f;
 
-    /// <summary>How high an end of a sole is above bent ground on which its middle stands, leg lengths, where it is wholly in the air.</summary>
+    /// <summary>How high a heel is above bent ground on which the middle of its sole stands, leg lengths, where it is wholly in the air.</summary>
     private const float WhollyBent = 0.03f;
 
     /// <summary>What a swinging foot is lifted over at most, part of the leg's length.</summary>
@@ -137,11 +137,10 @@ internal sealed partial class FootingSearch
         if (uneven)
         {
             place.Below = sole.Heel == SoleEnd.Hangs ? Math.Min(sole.Below - sole.Raise, 0f) : 0f;
-            float bent = WhollyBent * shape.Length;
             place.InWall = sole.Toes == SoleEnd.Wall || sole.Heel == SoleEnd.Wall;
             place.MeetsWall = sole.Toes == SoleEnd.Wall || sole.Before == SoleEnd.Wall;
-            place.Overhangs = sole.Toes == SoleEnd.Hangs ? 1f : place.MeetsWall ? 0f : Scalar.Smooth(sole.UnderToes / bent);
-            place.Whole = place.MeetsWall || sole.Heel == SoleEnd.Hangs ? 1f : Scalar.Smooth(sole.UnderHeel / bent);
+            place.Overhangs = sole.Toes == SoleEnd.Hangs;
+            place.Whole = place.MeetsWall || sole.Heel == SoleEnd.Hangs ? 1f : Scalar.Smooth(sole.UnderHeel / (WhollyBent * shape.Length));
             place.Position += up * (sole.Raise * step.Frame.Scale);
             Vector3 tilt = Rotation.Rotate(step.Frame.Rotation, (sole.Ahead * sole.Slope) + (sole.Aside * sole.Tilt));
             place.Normal = Vec.Normalize((place.Normal / Vec.Dot(place.Normal, up)) - tilt, up);
@@ -276,7 +275,6 @@ internal sealed partial class FootingSearch
         }
 
         FeelAcross(step, shape, target, hit, ref sole);
-        sole.UnderToes = sole.Above(toe, end, 0f);
         sole.UnderHeel = sole.Above(heel, -EndFraction * shape.Heel, 0f);
     }
 

@@ -99,9 +99,13 @@ internal static class FootRoll
         LegGaitParameters traits = leg.Traits;
         float rising = Scalar.Clamp(RiseOfCycle / Math.Max(duty, 0.1f), ShortestRise, leg.FlatFoot && !leg.Lateral ? LongestFlatRise : LongestRise);
 
-        // Toes in the air have nothing to roll off: of a flat foot only the heel rises, about the ball.
+        // Toes that hang over an edge have nothing to roll off: of a flat foot only the heel rises, about the ball.
         float most = traits.ToeOff * leg.RollFraction;
-        most = Scalar.Lerp(most, leg.FlatFoot ? Math.Min(most, ToeBreak) : 0f, foot.Plan.From.Overhangs);
+        if (foot.Plan.From.Overhangs)
+        {
+            most = leg.FlatFoot ? Math.Min(most, ToeBreak) : 0f;
+        }
+
         float off = Math.Min(most, 0.5f * FastestRoll * rising * duty * cycle);
         float strike = traits.Strike * (1f - (foot.Phase == FootPhase.Stance ? foot.Plan.From.Whole : foot.Plan.To.Whole));
         if (foot.Phase == FootPhase.Stance)

@@ -112,11 +112,6 @@ internal sealed class LegPoser
         foot.Leg.Relaxation = foot.Phase == FootPhase.Swing ? foot.Leg.Relaxation : excess;
         float fraction = excess > 0f ? limit.Relaxed(leg, foot, excess) : 0f;
         bool turned = stands && fraction > 0f;
-        if (turned && !foot.Leg.Turned.Stood && !foot.Plan.Arrived)
-        {
-            SoleHold.Remember(ref foot, wanted);
-        }
-
         float pitch = leg.FlatFoot ? FootRoll.ToePitch(foot.Path.Posture.Shown.Pitch) : foot.Path.Posture.Shown.Pitch;
 
         // As the ankle comes up for it the shank leans farther, and asks for more. A foot that stands is laid until it is there, each time as much farther as the last was too little: what was left of it came and went, and dragged the foot. Those of linked legs get there by themselves.

@@ -13,7 +13,7 @@ namespace CreatureGen.Motion.Walking.Poses;
 internal static class SoleHold
 {
     /// <summary>Height above the lowest point of the sole at which another counts half as much as it, leg lengths.</summary>
-    private const float Touch = 0.003f;
+    private const float Touch = 0.006f;
 
     /// <summary>How far it may be away at most, leg lengths: farther on it slips.</summary>
     private const float Farthest = 0.15f;

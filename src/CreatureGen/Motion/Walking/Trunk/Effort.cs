@@ -45,7 +45,7 @@ internal readonly record struct Effort(float HindDrop, float ForeDrop, float Shi
     private const float ColumnarFraction = 0.6f;
 
     /// <summary>Height of the belly below which a body on legs under it comes down less, leg lengths: long low ones would dive at each start.</summary>
-    private const float LowBelly = 0.8f;
+    private const float LowBelly = 0.68f;
 
     // The front of bodies that fly stays up, for the room that their wings need; necks and backs of such show nothing.
     private const float WingedRiseOfStart = 0.02f;

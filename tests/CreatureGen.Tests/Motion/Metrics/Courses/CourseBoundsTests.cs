@@ -93,7 +93,6 @@ public sealed class CourseBoundsTests
     [InlineData(20000103UL, "runner", 0.005f)]
     [InlineData(24352043UL, "runner", 0.0075f)]
     [InlineData(24352052UL, "runner", 0.005f)]
-    [InlineData(24550067UL, "mixed", 0.005f)]
     public void What_stands_of_a_foot_is_not_dragged_as_that_turns_or_rolls(ulong seed, string script, float slip) => Hold(RequestedKind.Walking, seed, script, CreatureOptions.Default.Strangeness, 60f, slip);
 
     /// <summary>
