@@ -125,7 +125,7 @@ public sealed class CreatureTextures
     /// <summary>Paints band by band. The right side shares the texels of the left; few faces of it, if any, find one that is not painted yet.</summary>
     private static void Paint(Surface surface, ChartPacking packing, VertexCoat coat, int size, Func<RowBand, CoarseColours?, TexturePainter> painterOf)
     {
-        using var left = new BandedFaces(size, surface.Faces.Length / 2);
+        using var left = new PooledList<ChartFace>(surface.Faces.Length / 2);
         var right = new List<int>(surface.Faces.Length / 2);
         for (int f = 0; f < surface.Faces.Length; f++)
         {
@@ -142,10 +142,10 @@ public sealed class CreatureTextures
         using CoarseColours? coarse = size >= CoarseColours.MinAtlas ? new CoarseColours(size) : null;
         if (coarse != null)
         {
-            IndependentParts.Run(RowBand.Count, band => left.ForEach(band, painterOf(RowBand.Of(size, band), coarse).Sketch));
+            ForEachBand(size, rows => Each(left, painterOf(rows, coarse).Sketch));
         }
 
-        IndependentParts.Run(RowBand.Count, band => left.ForEach(band, painterOf(RowBand.Of(size, band), coarse).Paint));
+        ForEachBand(size, rows => Each(left, painterOf(rows, coarse).Paint));
         TexturePainter last = painterOf(RowBand.All(size), coarse);
 
         // What has no gap before the first of them is painted has none later: they can be looked at side by side.
@@ -182,6 +182,20 @@ public sealed class CreatureTextures
             }
         });
     }
+
+    private delegate void FaceAction(in ChartFace face);
+
+    /// <summary>Does something with each face where it lies: half a kilobyte each is not copied for every band.</summary>
+    private static void Each(PooledList<ChartFace> faces, FaceAction action)
+    {
+        foreach (ref readonly ChartFace face in faces.Items)
+        {
+            action(face);
+        }
+    }
+
+    /// <summary>Does something to all bands of rows of a picture, side by side.</summary>
+    private static void ForEachBand(int size, Action<RowBand> action) => IndependentParts.Run(RowBand.Count, band => action(RowBand.Of(size, band)));
 
     private static bool HasGap(Surface surface, ChartPacking packing, int f, TexturePainter painter)
     {

@@ -40,7 +40,7 @@ internal sealed class TexturePainter
     /// <summary>Works out the coat of a face before it is painted, where the atlas is so large that it can be coarser. A face that was left out is only slower to paint.</summary>
     public void Sketch(in ChartFace face)
     {
-        if (coarse != null)
+        if (coarse != null && face.Touches(pictures.Size, rows))
         {
             Sketch(face.A, face.B, face.C, face.Appendage, coarse);
             Sketch(face.A, face.C, face.D, face.Appendage, coarse);
@@ -50,8 +50,11 @@ internal sealed class TexturePainter
     /// <summary>Paints the texels whose middles lie in a face and that no other has painted.</summary>
     public void Paint(in ChartFace face)
     {
-        Paint(face.A, face.B, face.C, face.Appendage);
-        Paint(face.A, face.C, face.D, face.Appendage);
+        if (face.Touches(pictures.Size, rows))
+        {
+            Paint(face.A, face.B, face.C, face.Appendage);
+            Paint(face.A, face.C, face.D, face.Appendage);
+        }
     }
 
     /// <summary>Whether there is a texel to paint in a face.</summary>
