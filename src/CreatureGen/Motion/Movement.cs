@@ -69,7 +69,7 @@ public sealed class Movement
     internal double Glances { get; private init; } = 1;
 
     /// <summary>Whether the motion repeats at the beat of a gait or a stroke; standing still has none.</summary>
-    public bool IsCyclic => Kind == ClipKind.Lasting && (Input.Speed != 0f || Input.Sideways != 0f || Input.YawRate != 0f || Input.Medium == MotionMedium.Air);
+    public bool IsCyclic => Kind == ClipKind.Lasting && (Input.Goes || Input.Medium == MotionMedium.Air);
 
     /// <summary>Everything that a creature does: all ways of going, then every act that it can do.</summary>
     /// <exception cref="ArgumentNullException">There is no profile.</exception>

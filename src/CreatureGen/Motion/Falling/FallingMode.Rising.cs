@@ -17,20 +17,16 @@ internal sealed partial class FallingMode
     /// <summary>Goes on getting up. Who is asked to go hurries once it has gathered itself, and goes as soon as it stands.</summary>
     private void GoOnRising(in RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
-        bool goes = Goes(input);
-        haste = Damping.Approach(haste, goes && Up.Rises ? Hurry : 1f, HurryRate / Tau(place.Scale, settings.Gravity), dt);
+        haste = Damping.Approach(haste, input.Goes && Up.Rises ? Hurry : 1f, HurryRate / Tau(place.Scale, settings.Gravity), dt);
         Up.Keep(local);
         bool over = Up.Advance(place, haste * dt, settings, ground, layer, local);
-        if (over || (goes && Up.Stands))
+        if (over || (input.Goes && Up.Stands))
         {
             Recover();
             Up.Leave(dt, local);
             Tell(MotionEventKind.Rose, place, settings.Up, 0f, 0f);
         }
     }
-
-    /// <summary>Whether it is asked to go.</summary>
-    private static bool Goes(in MotionInput input) => input.Speed != 0f || input.Sideways != 0f || input.YawRate != 0f;
 
     /// <summary>Is carried again, as if nothing had been.</summary>
     private void Recover()

@@ -178,7 +178,7 @@ internal sealed partial class FallingMode : ILocomotionMode
             Lying.Keep(local);
         }
 
-        if (getsUp && State == BodyState.Limp && Lying.IsCalm(place.Scale, settings.Gravity, dazed && !Goes(input)))
+        if (getsUp && State == BodyState.Limp && Lying.IsCalm(place.Scale, settings.Gravity, dazed && !input.Goes))
         {
             place = Rise(place, settings, ground, layer);
         }

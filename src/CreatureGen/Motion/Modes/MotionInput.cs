@@ -24,6 +24,9 @@ public readonly record struct MotionInput(float Speed, float YawRate = 0f, float
     private const float Fastest = 1e4f;
     private const float FastestTurn = 1e3f;
 
+    /// <summary>Whether it asks to go or to turn.</summary>
+    internal bool Goes => Speed != 0f || Sideways != 0f || YawRate != 0f;
+
     /// <summary>Asks for a velocity, as <c>Seek</c> decides it: brought within the ranges above.</summary>
     /// <param name="velocity">World metres per second in the creature's axes; finite.</param>
     /// <param name="medium">Where a flier is to be.</param>
