@@ -21,7 +21,7 @@ internal static class InsectWingShape
     /// <summary>Stations from one dark band across the wing to the next; and how dark these are on broad wings and on slender ones, where they are cross veins, each strip's between those of its neighbours: plain, slender wings are planks.</summary>
     private const int Band = 4;
     private const float BandOfBroad = 0.22f;
-    private const float CrossVein = 0.6f;
+    private const float CrossVein = 0.3f;
 
     // Half length of the pale patch of a broad wing, the line across the wing where it is palest, and from there to where it ends: cut off where its strip ends it is a pane.
     private const float PatchLength = 0.3f;
