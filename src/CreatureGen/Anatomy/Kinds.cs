@@ -159,6 +159,12 @@ public enum WingStyle
 
     /// <summary>A narrow membrane behind one long finger.</summary>
     Pterosaur,
+
+    /// <summary>A round membrane over ribs that spread from the flank.</summary>
+    GlidingLizard,
+
+    /// <summary>A long membrane over many rays that spread from the shoulder.</summary>
+    FlyingFish,
 }
 
 /// <summary>Where a fin grows.</summary>

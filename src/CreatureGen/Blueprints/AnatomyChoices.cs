@@ -60,7 +60,9 @@ internal static class AnatomyChoices
         (WingStyle.Hummingbird, "hummingbird"),
         (WingStyle.Owl, "owl"),
         (WingStyle.Dragon, "dragon"),
-        (WingStyle.Pterosaur, "pterosaur"));
+        (WingStyle.Pterosaur, "pterosaur"),
+        (WingStyle.GlidingLizard, "glidingLizard"),
+        (WingStyle.FlyingFish, "flyingFish"));
 
     public static readonly ChoiceNames<ThinWingStyle> ThinWing = new(
         (ThinWingStyle.Blade, "blade"),

@@ -11,6 +11,8 @@ internal sealed class WingFingers
     private static readonly WingFingers bat = new(BatWing.Form);
     private static readonly WingFingers dragon = new(DragonWing.Form);
     private static readonly WingFingers pterosaur = new(PterosaurWing.Form);
+    private static readonly WingFingers glidingLizard = new(GlidingLizardWing.Form);
+    private static readonly WingFingers flyingFish = new(FlyingFishWing.Form);
 
     private readonly WingForm form;
     private readonly float[] lead = new float[Steps + 1];
@@ -32,6 +34,8 @@ internal sealed class WingFingers
         WingStyle.Bat => bat,
         WingStyle.Dragon => dragon,
         WingStyle.Pterosaur => pterosaur,
+        WingStyle.GlidingLizard => glidingLizard,
+        WingStyle.FlyingFish => flyingFish,
         _ => null,
     };
 

@@ -55,6 +55,8 @@ internal sealed record WingForm
         WingStyle.Owl => OwlWing.Form,
         WingStyle.Dragon => DragonWing.Form,
         WingStyle.Pterosaur => PterosaurWing.Form,
+        WingStyle.GlidingLizard => GlidingLizardWing.Form,
+        WingStyle.FlyingFish => FlyingFishWing.Form,
         _ => throw new ArgumentOutOfRangeException(nameof(style), style, "expected the style of a spread wing"),
     };
 

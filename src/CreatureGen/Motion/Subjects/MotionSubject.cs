@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Wings;
 using CreatureGen.Blueprints;
 using CreatureGen.Creatures;
 using CreatureGen.Motion.Subjects;
@@ -34,7 +35,7 @@ public sealed class MotionSubject
         Manner = SpeciesCatalogue.Find(blueprint.Body.Blend.Manner).Motion;
         HasHorns = blueprint.Features.Any(feature => (feature.Kind is FeatureKind.Horn or FeatureKind.Antler or FeatureKind.Tusk) && feature.Ring <= StationRing.Nape);
         HasSting = blueprint.Tail.Style == TailStyle.Stinger;
-        HasMembranes = blueprint.Wings.Any(wing => wing.Style is WingStyle.Bat or WingStyle.Dragon or WingStyle.Pterosaur);
+        HasMembranes = blueprint.Wings.Any(wing => WingFingers.Of(wing.Style) != null);
         Seed species = new Seed(blueprint.Seed).Child("glances");
         Habits = blueprint.Coat.Marks == 0 ? species : species.Child(blueprint.Coat.Marks);
     }

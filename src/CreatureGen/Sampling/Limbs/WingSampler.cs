@@ -26,7 +26,8 @@ internal static class WingSampler
         new ThinWing[] { new(ring: 0, length: 1.4, width: 0.7, azimuth: -14, elevation: 32, style: ThinWingStyle.MothFore), new(ring: 0, length: 1.1, width: 0.66, azimuth: -12, elevation: 20, style: ThinWingStyle.MothHind) },
     };
 
-    private static readonly Weighted<WingStyle>[] membranes = Weights.Of((WingStyle.Bat, 0.4), (WingStyle.Dragon, 0.4), (WingStyle.Pterosaur, 0.2));
+    private static readonly Weighted<WingStyle>[] membranes = 
+        Weights.Of((WingStyle.Bat, 0.3), (WingStyle.GlidingLizard, 0.1), (WingStyle.Dragon, 0.28), (WingStyle.FlyingFish, 0.12), (WingStyle.Pterosaur, 0.2));
     private static readonly Weighted<WingStyle>[] feathers =
         Weights.Of((WingStyle.Feathered, 0.25), (WingStyle.Falcon, 0.2), (WingStyle.Owl, 0.25), (WingStyle.Albatross, 0.15), (WingStyle.Hummingbird, 0.15));
 

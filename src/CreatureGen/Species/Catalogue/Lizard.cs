@@ -47,6 +47,7 @@ internal static class Lizard
             new Colouring(new Tint(0.60, 0.10, 130)) { Kind = PatternKind.Bands, Accent = new Tint(0.72, 0.15, 85) },
             new Colouring(new Tint(0.48, 0.03, 250)) { Kind = PatternKind.Bands, Accent = new Tint(0.58, 0.17, 25) },
         },
+        WingStyles = Weights.Of((WingStyle.GlidingLizard, 0.6), (WingStyle.Dragon, 0.4)),
         Tails = Weights.Of((TailStyle.Whip, 0.35), (TailStyle.Prehensile, 0.15)),
     };
 }

@@ -48,6 +48,7 @@ internal static class Swordfish
             },
             Tail = TailStyle.Lunate, TailSize = (0.28, 0.34),
         },
+        WingStyles = Weights.Of((WingStyle.FlyingFish, 1)),
         Patterns = Weights.Of((PatternKind.Plain, 1), (PatternKind.Bands, 0.6)),
         Colourings = new[]
         {
