@@ -18,7 +18,9 @@ internal static class MomentOfMotion
     private const float OfBeat = 0f;
 
     /// <summary>The surface in mid-step, in mid-stroke, at the top of its wings' beat, in the bends of its crawl; as it was built where it does not go.</summary>
-    public static RenderMesh Of(Creature creature)
+    /// <param name="creature">The creature.</param>
+    /// <param name="held">Joints that stay as they were built, if any: wings, to who looks along the body and would see no more of beating ones than their edges.</param>
+    public static RenderMesh Of(Creature creature, JointRole? held = null)
     {
         var profile = new MotionProfile(creature);
         IReadOnlyList<Movement> ways = Movement.OfGoing(profile);
@@ -31,8 +33,21 @@ internal static class MomentOfMotion
         Clip clip = ClipBaker.Bake(profile, way);
         var local = new Pose(new Quaternion[creature.Skeleton.Count], new Vector3[creature.Skeleton.Count]);
         clip.Sample(PartOf(way, profile, creature, clip, local) * clip.Duration, local);
+        SetToRest(held, creature.Skeleton, local);
         (Vector3[] positions, Vector3[] normals) = MovedSkin.Of(creature, RootPlace.Identity, local, RootPlace.Identity);
         return RenderMesh.From(creature, positions, normals);
+    }
+
+    private static void SetToRest(JointRole? role, Skeleton skeleton, in Pose local)
+    {
+        for (int joint = 0; joint < skeleton.Count; joint++)
+        {
+            if (skeleton.Joints[joint].Role == role)
+            {
+                local.Rotations[joint] = skeleton.LocalRotations[joint];
+                local.Positions[joint] = skeleton.LocalPositions[joint];
+            }
+        }
     }
 
     private static float PartOf(Movement way, MotionProfile profile, Creature creature, Clip clip, in Pose local)

@@ -21,7 +21,7 @@ public static class Portrait
     /// <summary>Radius of what a picture of a face shows about the eyes, relative to how far the snout is ahead of them.</summary>
     private const float AboutTheEyes = 1.2f;
 
-    /// <summary>The creature on its way from a named side, as large as the frame allows: in mid-step, in mid-stroke, at the top of its wings' beat, in the bends of its crawl. What flies stands as it was built where the view is from ahead, behind or above: there its beating wings are seen along their blades.</summary>
+    /// <summary>The creature on its way from a named side, as large as the frame allows: in mid-step, in mid-stroke, at the top of its wings' beat, in the bends of its crawl. What flies has its wings spread as they were built where the view is from ahead, behind or above: there beating wings are seen along their blades.</summary>
     public static Picture Take(Creature creature, View view, RenderOptions options)
     {
         ArgumentNullException.ThrowIfNull(options);
@@ -88,7 +88,7 @@ public static class Portrait
     {
         ArgumentNullException.ThrowIfNull(creature);
         bool alongWings = view is View.Front or View.Back or View.Top;
-        return alongWings && creature.Blueprint.Kind == LocomotionKind.Flying ? RenderMesh.From(creature) : MomentOfMotion.Of(creature);
+        return MomentOfMotion.Of(creature, alongWings && creature.Blueprint.Kind == LocomotionKind.Flying ? JointRole.Wing : null);
     }
 
     // The creature under an atlas about as fine as the picture; faces of one colour need none.
@@ -105,7 +105,7 @@ public static class Portrait
     private static bool TakesTextures(RenderOptions options) => options.Shading is not (ShadingMode.Flat or ShadingMode.Faceted);
 
     private static Camera Fit(Creature creature, RenderMesh mesh, View view, RenderOptions options) =>
-        Camera.Fit(Views.Angle(view, creature), mesh.Positions, options.Width / (float)options.Height);
+        Camera.Fit(Views.Angle(view, creature), mesh.Positions, options.Width / (float)options.Height, fieldOfViewDegrees: Views.FieldOfView(view));
 
     // Around what the head, the jaw and the eyes move most, as far about the eyes as the snout reaches ahead of them: antlers and collars may go beyond the picture. Around everything when there is no head.
     private static BoundingBox HeadBounds(Creature creature)

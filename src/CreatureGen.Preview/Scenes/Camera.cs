@@ -93,16 +93,17 @@ public sealed class Camera
     /// <param name="points">What to show, at least one point.</param>
     /// <param name="aspect">Width of the picture divided by its height.</param>
     /// <param name="margin">Part of the frame left free at each edge, 0 to below 0.5.</param>
+    /// <param name="fieldOfViewDegrees">Vertical angle of view, degrees, above 0 and below 170: the smaller it is, the farther away the camera.</param>
     /// <exception cref="ArgumentException">There is no point, or one is not finite.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">The aspect is not positive, or the margin out of its range.</exception>
-    public static Camera Fit(CameraAngle angle, ReadOnlySpan<Vector3> points, float aspect, float margin = DefaultMargin)
+    /// <exception cref="ArgumentOutOfRangeException">The aspect is not positive, the margin or the angle out of its range.</exception>
+    public static Camera Fit(CameraAngle angle, ReadOnlySpan<Vector3> points, float aspect, float margin = DefaultMargin, double fieldOfViewDegrees = PortraitFieldOfView)
     {
         CheckFrame(aspect, margin);
         Vector3 back = angle.TowardsCamera;
         Vector3 forward = -back;
         Vector3 right = RightOf(forward);
         Vector3 up = Vec.Cross(right, forward);
-        double tanY = HalfTangent(PortraitFieldOfView) * (1 - (2 * margin));
+        double tanY = HalfTangent(fieldOfViewDegrees) * (1 - (2 * margin));
         double tanX = tanY * aspect;
 
         // Each edge plane of the frame, pushed against the points: a camera (cx, cy, cz) sees all when
@@ -139,7 +140,7 @@ public sealed class Camera
         float eyeX = (float)((left + rightmost) / 2);
         float eyeY = (float)((bottom + top) / 2);
         Vector3 level = (right * eyeX) + (up * eyeY);
-        return new Camera(level + (forward * (float)eyeZ), level + (forward * (float)middle), PortraitFieldOfView);
+        return new Camera(level + (forward * (float)eyeZ), level + (forward * (float)middle), fieldOfViewDegrees);
     }
 
     /// <summary>The camera of a named view in which a sphere just fits the frame.</summary>

@@ -29,6 +29,12 @@ public static class Views
     /// <summary>The three-quarter view of what flies: raised wings have the inner part of their blades in the line of sight of who looks from farther ahead or from above, and would be pipes there.</summary>
     private static readonly CameraAngle besideWings = new(46, 1);
 
+    /// <summary>The view of a whole creature from behind: beside it and above, as who photographs animals that walk away stands. From straight behind and no higher than the rump, that, a tail or a fluke is all that is seen.</summary>
+    private static readonly CameraAngle pastTheRump = new(157, 14);
+
+    /// <summary>Angle of view along a body, degrees, that of a telephoto lens: from close by, what is at the near end of a long body is several times as large as what is at the far one.</summary>
+    private const double AlongTheBody = 12;
+
     private static readonly string[] Words = ["three-quarter", "side", "front", "back", "top"];
 
     /// <summary>The word for a view: <c>three-quarter</c>, <c>side</c>, <c>front</c>, <c>back</c> or <c>top</c>.</summary>
@@ -56,13 +62,21 @@ public static class Views
         _ => throw Unknown(view),
     };
 
-    /// <summary>From where a view looks at a creature: in three-quarter view at what flies from farther to the side and from lower down than at others, so that the blades of both wings are seen.</summary>
+    /// <summary>From where a view looks at a whole creature: in three-quarter view at what flies from farther to the side and from lower down than at others, so that the blades of both wings are seen; from behind past the rump, so that flank, back and head are.</summary>
     /// <exception cref="ArgumentOutOfRangeException">It is none of the named views.</exception>
     public static CameraAngle Angle(View view, Creature creature)
     {
         ArgumentNullException.ThrowIfNull(creature);
-        return view == View.ThreeQuarter && creature.Blueprint.Kind == LocomotionKind.Flying ? besideWings : Angle(view);
+        return view switch
+        {
+            View.ThreeQuarter when creature.Blueprint.Kind == LocomotionKind.Flying => besideWings,
+            View.Back => pastTheRump,
+            _ => Angle(view),
+        };
     }
+
+    /// <summary>Vertical angle of view of the lens for whole creatures, degrees: that of a portrait lens, and of a longer one where a view looks along the body.</summary>
+    public static double FieldOfView(View view) => view is View.Front or View.Back ? AlongTheBody : Camera.PortraitFieldOfView;
 
     private static ArgumentOutOfRangeException Unknown(View view) => new(nameof(view), view, "expected one of the named views");
 }

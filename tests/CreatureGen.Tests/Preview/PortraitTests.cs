@@ -86,14 +86,22 @@ public sealed class PortraitTests
     }
 
     [Fact]
-    public void What_flies_is_seen_in_the_air_with_its_wings_raised_from_the_side_and_as_it_was_built_from_ahead()
+    public void What_flies_is_seen_in_the_air_from_every_side_and_with_its_wings_as_broad_as_they_were_built_from_ahead()
     {
         Creature creature = SpeciesSubject.Of("heron", RequestedKind.Flying);
-        Assert.Equal(Portrait.TakeAtRest(creature, View.Front, plain).Bytes.ToArray(), Portrait.Take(creature, View.Front, plain).Bytes.ToArray());
-        Assert.NotEqual(Portrait.TakeAtRest(creature, View.Side, plain).Bytes.ToArray(), Portrait.Take(creature, View.Side, plain).Bytes.ToArray());
-        Assert.True(Highest(MomentOfMotion.Of(creature)) > Highest(RenderMesh.From(creature)));
+        RenderMesh built = RenderMesh.From(creature);
+        RenderMesh ahead = MomentOfMotion.Of(creature, JointRole.Wing);
+        Assert.All([View.Front, View.Back, View.Side], view => Assert.NotEqual(Portrait.TakeAtRest(creature, view, plain).Bytes.ToArray(), Portrait.Take(creature, view, plain).Bytes.ToArray()));
+        Assert.True(Highest(MomentOfMotion.Of(creature)) > Highest(built));
+        Assert.InRange(Broadest(ahead) / Broadest(built), 0.98f, 1.02f);
+        Assert.True(Broadest(MomentOfMotion.Of(creature)) < 0.95f * Broadest(built));
+        Assert.True(Tall(ahead) < 0.95f * Tall(built), "its legs hang");
 
         static float Highest(RenderMesh mesh) => mesh.Positions.ToArray().Max(position => position.Y);
+
+        static float Broadest(RenderMesh mesh) => mesh.Positions.ToArray().Max(position => position.X);
+
+        static float Tall(RenderMesh mesh) => Highest(mesh) - mesh.Positions.ToArray().Min(position => position.Y);
     }
 
     // Of the pixels of a creature seen from above, how many have none at the mirrored place. Its middle line is in the middle of the pictures of what stands straight.

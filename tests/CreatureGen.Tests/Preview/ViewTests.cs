@@ -17,6 +17,12 @@ public sealed class ViewTests
     /// <summary>Least part of the surface of a far wing that is seen of it; from 38 degrees beside the front and 14 above it was .11 of the one least seen: no more than its edge.</summary>
     private const float LeastSeen = 0.19f;
 
+    /// <summary>Least part of the breadth of the picture between snout and tail from behind.</summary>
+    private const float BesideTheTail = 0.25f;
+
+    /// <summary>Greatest distance of the far end of a body relative to that of its near end; through a portrait lens it was more than three times as far.</summary>
+    private const float FarEnd = 2.5f;
+
     [Theory]
     [InlineData("three-quarter", View.ThreeQuarter)]
     [InlineData("side", View.Side)]
@@ -77,6 +83,47 @@ public sealed class ViewTests
         }
 
         Assert.True(wings > 12);
+    }
+
+    /// <summary>From straight behind and 6 degrees above, a raised fluke or a tail was before the head of all of these.</summary>
+    [Theory]
+    [InlineData(24750003, RequestedKind.Swimming)]
+    [InlineData(24750006, RequestedKind.Swimming)]
+    [InlineData(24750007, RequestedKind.Swimming)]
+    [InlineData(24750001, RequestedKind.Walking)]
+    [InlineData(24750010, RequestedKind.Flying)]
+    public void From_behind_the_head_is_seen_beside_the_tail(int seed, RequestedKind kind)
+    {
+        Creature creature = CreatureGenerator.Generate((ulong)seed, CreatureOptions.Default with { Kind = kind });
+        RenderMesh mesh = MomentOfMotion.Of(creature, kind == RequestedKind.Flying ? JointRole.Wing : null);
+        Camera camera = Camera.Fit(Views.Angle(View.Back, creature), mesh.Positions, 1.2f, fieldOfViewDegrees: Views.FieldOfView(View.Back));
+        ReadOnlySpan<Vector3> joints = creature.Skeleton.ModelPositions;
+        Vector3 snout = Vector3.Zero;
+        Vector3 tail = Vector3.Zero;
+        foreach (Vector3 joint in joints)
+        {
+            bool middle = Math.Abs(joint.X) < 1e-5f;
+            snout = middle && joint.Z > snout.Z ? joint : snout;
+            tail = middle && joint.Z < tail.Z ? joint : tail;
+        }
+
+        float beside = Math.Abs(camera.Project(snout, 1200, 1000).X - camera.Project(tail, 1200, 1000).X) / 1200f;
+        Assert.True(beside > BesideTheTail, FormattableString.Invariant($"the snout is {beside} of the picture beside the tail"));
+    }
+
+    [Theory]
+    [InlineData(24750006, RequestedKind.Swimming)]
+    [InlineData(24750001, RequestedKind.Walking)]
+    public void Along_a_body_what_is_near_is_less_than_two_and_a_half_times_as_large_as_what_is_far(int seed, RequestedKind kind)
+    {
+        Creature creature = CreatureGenerator.Generate((ulong)seed, CreatureOptions.Default with { Kind = kind });
+        RenderMesh mesh = MomentOfMotion.Of(creature);
+        foreach (View view in new[] { View.Front, View.Back })
+        {
+            Camera camera = Camera.Fit(Views.Angle(view, creature), mesh.Positions, 1.2f, fieldOfViewDegrees: Views.FieldOfView(view));
+            float[] away = [.. mesh.Positions.ToArray().Select(position => camera.Project(position, 1200, 1000).Z)];
+            Assert.InRange(away.Max() / away.Min(), 1f, FarEnd);
+        }
     }
 
     /// <summary>Area of one side of a limb's skin as it is seen from a place, relative to its own.</summary>
