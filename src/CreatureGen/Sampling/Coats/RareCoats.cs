@@ -28,7 +28,7 @@ internal static class RareCoats
         return drawn < 2 * Odds && palette is (PaletteMood.Any or PaletteMood.Dark) ? Melanistic(coat, random) : coat;
     }
 
-    /// <summary>Nearly white with a warm tint; blood shows through eyes, nose and ears. Of the pattern a breath is left.</summary>
+    /// <summary>Nearly white with a warm tint; blood shows through eyes, nose and ears. A breath of the pattern is always left: what is white all over has no form to the eye.</summary>
     private static CoatBlueprint Albino(CoatBlueprint coat, RandomStream random)
     {
         double lightness = random.Uniform(0.89, 0.92);
@@ -37,7 +37,7 @@ internal static class RareCoats
         return coat with
         {
             Base = Colour(lightness, chroma, hue),
-            Back = Colour(lightness - 0.03, chroma * 1.2, hue),
+            Back = Colour(lightness - 0.05, chroma * 1.2, hue),
             Belly = Colour(0.945, chroma * 0.6, hue),
             Limb = Colour(lightness - 0.05, chroma * 1.6, hue - 20),
             Pattern = Colour(lightness - 0.10, chroma * 2, hue - 10),
@@ -47,7 +47,7 @@ internal static class RareCoats
             Muzzle = Colour(0.74, 0.085, 18),
             Mouth = Colour(0.55, 0.11, 18),
             Iris = Colour(random.Uniform(0.56, 0.63), random.Uniform(0.14, 0.17), random.Uniform(8, 20)),
-            PatternStrength = random.Chance(0.5) ? 0 : random.Uniform(0.4, 0.8),
+            PatternStrength = random.Uniform(0.6, 0.88),
         };
     }
 

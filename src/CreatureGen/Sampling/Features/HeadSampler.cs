@@ -36,7 +36,7 @@ internal static class HeadSampler
     private const double WidestLower = 50;
 
     // A single eye: its largest radius in halves of the head, how deep it sits, in radii, and how far it looks ahead.
-    private const double LargestSingle = 0.52;
+    private const double LargestSingle = 0.46;
     private const double SingleSink = 0.36;
     private const double SingleForward = 0.9;
 

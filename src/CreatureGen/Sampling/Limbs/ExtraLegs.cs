@@ -19,7 +19,10 @@ internal static class ExtraLegs
     private const double Eight = 0.3;
 
     /// <summary>How much longer the middle of the torso is for each further pair.</summary>
-    private const double Room = 0.24;
+    private const double Room = 0.36;
+
+    /// <summary>Thickness of the pairs between relative to the first: as thick as that they stand on one another.</summary>
+    private const double Thinner = 0.8;
 
     /// <summary>Shortest of eight legs, in lengths of the body.</summary>
     private const double EightLegged = 0.24;
@@ -54,7 +57,7 @@ internal static class ExtraLegs
         for (int k = 1; k <= extra; k++)
         {
             double fraction = k / (extra + 1.0);
-            legs.Add(front with { Ring = (int)Math.Round(first + (fraction * (last - first)), MidpointRounding.ToEven), Girth = 0.92 * front.Girth, Azimuth = front.Azimuth * (1 - (2 * fraction)) });
+            legs.Add(front with { Ring = (int)Math.Round(first + (fraction * (last - first)), MidpointRounding.ToEven), Girth = Thinner * front.Girth, Azimuth = front.Azimuth * (1 - (2 * fraction)) });
         }
 
         legs.Add(rear with { Ring = last });

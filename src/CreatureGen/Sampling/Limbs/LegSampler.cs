@@ -19,9 +19,10 @@ internal static class LegSampler
     /// <summary>Rounds of placing legs and moving the body for them.</summary>
     private const int Rounds = 4;
 
-    /// <summary>Probability at full strangeness of a second pair of arms, and its size relative to the first.</summary>
+    /// <summary>Probability at full strangeness of a second pair of arms, and its thickness and length relative to the first: hands of longer ones hang beside the knees and their arms seem to grow from the hips.</summary>
     private const double SecondArms = 0.4;
-    private const double SmallerArms = 0.85;
+    private const double ThinnerArms = 0.8;
+    private const double ShorterArms = 0.62;
 
     // Breadth of a body against its depth from which its legs grow nearer to the belly, by how many segments for each unit of it, and by how many at most.
     private const double Broad = 1.05;
@@ -155,8 +156,8 @@ internal static class LegSampler
         SocketBlueprint socket = arms.Socket with { Ring = arms.Socket.Ring + arms.Socket.Rows + ArmGap };
         if (second && builder.Sockets.IsFree(socket, arms.Site.Bounds.Pad))
         {
-            double length = SmallerArms * arms.Length;
-            Add(builder, hand, LimbArchetype.Arm, LegStance.Hanging, socket, SmallerArms * arms.RootRadius, length, 0.9 * length, 0, 0, arms.Site.Bounds.Pad);
+            double length = ShorterArms * arms.Length;
+            Add(builder, hand, LimbArchetype.Arm, LegStance.Hanging, socket, ThinnerArms * arms.RootRadius, length, 0.9 * length, 0, 0, arms.Site.Bounds.Pad);
         }
     }
 

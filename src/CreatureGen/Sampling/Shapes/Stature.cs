@@ -12,7 +12,7 @@ internal static class Stature
 {
     // Standard deviations of the logarithms at full strangeness.
     private const double Breadth = 0.2;
-    private const double Depth = 0.16;
+    private const double Depth = 0.22;
     private const double Length = 0.25;
     private const double Head = 0.12;
     private const double Fins = 0.35;
