@@ -4,6 +4,8 @@ using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Motion;
 using CreatureGen.Motion.Acts.Bodies;
+using CreatureGen.Motion.Walking.Legs;
+using CreatureGen.Rigging;
 using Xunit;
 
 namespace CreatureGen.Tests.Motion.Acts;
@@ -107,6 +109,101 @@ public class ExpressionTests
         }
 
         Assert.Equal(2, dips);
+    }
+
+    /// <summary>It turned its head to the side and looked about.</summary>
+    [Theory]
+    [InlineData(BodyPlan.Digitigrade, 1)]
+    [InlineData(BodyPlan.Unguligrade, 2)]
+    public void Who_grooms_without_hands_brings_its_mouth_to_a_fore_leg(BodyPlan plan, ulong seed)
+    {
+        (MotionProfile profile, List<Still> poses) = Filmed(plan, seed, "Groom");
+        ActBody body = profile.Acts.Body;
+        LegRig leg = body.Legs!.Legs[body.ForeFeet.Left];
+        float nearest = float.MaxValue;
+        foreach (Still pose in poses)
+        {
+            Vector3 mouth = body.Tools.PlaceOf(ActTool.Mouth, false, new Pose(pose.Rotations, pose.Positions));
+            foreach (int joint in new[] { leg.Knee, leg.Ankle, leg.Ball })
+            {
+                nearest = Math.Min(nearest, Vector3.Distance(mouth, pose.Positions[joint]));
+            }
+        }
+
+        Assert.InRange(nearest / body.Unit, 0f, 0.25f);
+    }
+
+    /// <summary>Its hind feet stood as if nailed to the ground.</summary>
+    [Theory]
+    [InlineData(BodyPlan.Digitigrade, 1)]
+    [InlineData(BodyPlan.Unguligrade, 2)]
+    public void Who_dances_on_four_feet_lifts_those_behind_too(BodyPlan plan, ulong seed)
+    {
+        (MotionProfile profile, List<Still> poses) = Filmed(plan, seed, "Dance");
+        ActBody body = profile.Acts.Body;
+        foreach (int leg in new[] { body.HindFeet.Left, body.HindFeet.Right })
+        {
+            int ball = body.Legs!.Legs[leg].Ball;
+            float highest = float.MinValue;
+            foreach (Still pose in poses)
+            {
+                highest = Math.Max(highest, pose.Positions[ball].Y - poses[0].Positions[ball].Y);
+            }
+
+            Assert.InRange(highest / body.Unit, 0.08f, 0.4f);
+        }
+    }
+
+    /// <summary>It slept with its head straight ahead, in the air.</summary>
+    [Theory]
+    [InlineData(1)]
+    [InlineData(3)]
+    public void Who_sleeps_on_two_legs_lays_its_head_round_to_a_shoulder(ulong seed)
+    {
+        (MotionProfile profile, List<Still> poses) = Filmed(BodyPlan.Theropod, seed, "Sleep");
+        int head = profile.Acts.Body.Head;
+        Vector3 snout = Vector3.Transform(Vector3.UnitZ, poses[^1].Rotations[head] * Quaternion.Inverse(poses[0].Rotations[head]));
+        Assert.InRange(Math.Abs(snout.X), 0.45f, 1f);
+    }
+
+    /// <summary>They went up off the rump with a chest that bows away from it.</summary>
+    [Fact]
+    public void Folded_wings_stay_along_a_back_that_bends()
+    {
+        ulong bird = 1;
+        while (new MotionProfile(Walkers.Of(BodyPlan.Theropod, bird)).Acts.Body.Wings.Length == 0)
+        {
+            bird++;
+        }
+
+        (MotionProfile profile, List<Still> poses) = Filmed(BodyPlan.Theropod, bird, "Eat");
+        ActBody body = profile.Acts.Body;
+        float off = 0f;
+        foreach (Still pose in poses)
+        {
+            off = Math.Max(off, Off(pose) - Off(poses[0]));
+        }
+
+        Assert.InRange(off, 0f, 0.16f);
+
+        // By how much a wing points up from the line of the back, radians.
+        float Off(Still pose)
+        {
+            Vector3 back = pose.Positions[body.Spine[0]] - pose.Positions[body.Spine[^1]];
+            Vector3 wing = pose.Positions[Tip(body, body.Wings[0])] - pose.Positions[body.Wings[0]];
+            return MathF.Atan2(wing.Y, -wing.Z) - MathF.Atan2(back.Y, -back.Z);
+        }
+    }
+
+    private static int Tip(ActBody body, int root)
+    {
+        int tip = root;
+        for (int joint = root; joint < body.Skeleton.Count; joint++)
+        {
+            tip = body.Skeleton.Parents[joint] == tip ? joint : tip;
+        }
+
+        return tip;
     }
 
     private static float Lowest(List<Still> poses, int joint)

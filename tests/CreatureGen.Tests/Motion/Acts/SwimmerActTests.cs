@@ -53,6 +53,35 @@ public class SwimmerActTests
         Assert.InRange(awake - Slope(animator), 0.15f, 1f);
     }
 
+    [Theory]
+    [InlineData(21200009UL)]
+    [InlineData(21200018UL)]
+    public void Who_sniffs_in_water_stoops_with_all_of_its_body(ulong seed)
+    {
+        CreatureAnimator animator = Performing(seed, "Sniff");
+        float level = Slope(animator);
+        Walkers.Run(animator, animator.Profile.Acts.Find("Sniff").SecondsToContact!.Value, Rate, default, FlatGround.Level);
+        Assert.InRange(level - Slope(animator), 0.15f, 1f);
+    }
+
+    [Theory]
+    [InlineData(21200009UL)]
+    [InlineData(21200018UL)]
+    public void Who_dances_in_water_goes_from_side_to_side(ulong seed)
+    {
+        CreatureAnimator animator = Performing(seed, "Dance");
+        ActBody body = animator.Profile.Acts.Body;
+        (float left, float right) = (float.MinValue, float.MaxValue);
+        for (int i = 0; i < Rate * animator.Profile.Acts.Find("Dance").Seconds; i++)
+        {
+            animator.Update(1f / Rate, default, FlatGround.Level);
+            float aside = animator.ModelPose.Positions[body.Body].X;
+            (left, right) = (Math.Max(left, aside), Math.Min(right, aside));
+        }
+
+        Assert.InRange((left - right) / body.Unit, 0.8f, 2f);
+    }
+
     /// <summary>How far the middle of the back is beside the line from its front to its rear, of that line's length at rest.</summary>
     private static float Bend(CreatureAnimator animator)
     {

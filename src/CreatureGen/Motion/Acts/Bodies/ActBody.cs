@@ -49,6 +49,7 @@ internal sealed class ActBody
         Ears = RootsOf(JointRole.Ear);
         Arms = subject.Limbs.Where(limb => limb.Kind == LimbKind.Arm && limb.Joints.Count == 6).ToArray();
         Fins = subject.Limbs.Where(limb => limb.Kind == LimbKind.Pectoral || (limb.Kind == LimbKind.Wing && subject.Kind != LocomotionKind.Flying && !(legs != null && SpreadWings.Is(Skeleton, limb)))).ToArray();
+        Wings = legs == null ? Array.Empty<int>() : subject.Limbs.Where(limb => limb.Kind is LimbKind.Wing or LimbKind.InsectWing).Select(limb => limb.Joints[0]).ToArray();
         Size = SizeOf();
         Unit = legs?.LegLength ?? Size / LegsPerBody;
         Depth = legs == null ? 0f : Math.Max(0f, Skeleton.ModelPositions[Body].Y - legs.BellyHeight);
@@ -147,6 +148,9 @@ internal sealed class ActBody
 
     /// <summary>Paired fins, and wings that do not fly.</summary>
     public LimbChain[] Fins { get; }
+
+    /// <summary>The roots of wings that hang on a trunk on legs.</summary>
+    public int[] Wings { get; }
 
     /// <summary>Left and right foot of the foremost pair, as indices of legs.</summary>
     public (int Left, int Right) ForeFeet { get; } = (-1, -1);

@@ -55,6 +55,7 @@ public sealed class Act
         Footing = other.Footing;
         SnoutDown = other.SnoutDown;
         FallsFromAir = other.FallsFromAir;
+        IsOnItself = other.IsOnItself;
     }
 
     /// <summary>What games call it.</summary>
@@ -80,6 +81,9 @@ public sealed class Act
 
     /// <summary>Whether who is in the air, or falls, as it begins goes limp instead: it comes down, lies as it comes to lie, and gets up when it is to go on.</summary>
     public bool FallsFromAir { get; private set; }
+
+    /// <summary>Whether it goes for its own fore leg where nobody says.</summary>
+    internal bool IsOnItself { get; private set; }
 
     /// <summary>Its phases, in order.</summary>
     public IReadOnlyList<ActPhase> Phases => phases;
@@ -120,6 +124,9 @@ public sealed class Act
 
     /// <summary>The same, by which who is in the air as it begins goes limp and falls.</summary>
     public Act FallingFromAir() => new(this) { FallsFromAir = true };
+
+    /// <summary>The same, on the body's own fore leg where nobody says.</summary>
+    internal Act OnItself() => new(this) { IsOnItself = true };
 
     /// <inheritdoc/>
     public override string ToString() => Name;

@@ -14,11 +14,11 @@ internal static class Displays
             new ActPhase("recover", 2.4f).To(NeckPitch, 0f).To(HeadPitch, 0f))
             .Needing(ActNeeds.Jaw).For(BodyBuild.Legless),
         new Act("Call", ActKind.Display,
-            new ActPhase("breath", 2.0f).To(Ahead, -0.08f).To(NeckPitch, -0.1f).To(BackPitch, 0.08f).To(ForeDown, 0.04f).AtLeast(0.2f).Then(ActMark.SoundBegin),
-            new ActPhase("burst", 0.8f, ActEase.Over).To(Ahead, 0.10f).To(NeckPitch, 0.35f).To(HeadPitch, 0.25f).To(Jaw, 1f).To(Ears, 0.6f).To(TailPitch, 0.3f).To(Wings, 0.3f).To(ArmsOut, 0.3f),
-            new ActPhase("sustain", 4.5f).To(Jaw, 0.85f).With(new ActWave(NeckSide, 0.15f, 1f)).With(new ActWave(HeadSide, 0.2f, 1f, 0.1f)).With(new ActWave(Jaw, 0.05f, 12f)).With(new ActWave(HeadPitch, 0.02f, 12f)),
+            new ActPhase("breath", 2.0f).To(Ahead, -0.14f).To(NeckPitch, -0.3f).To(HeadPitch, -0.2f).To(BackPitch, 0.12f).To(ForeDown, 0.08f).To(HindDown, 0.1f).To(TailPitch, -0.1f).AtLeast(0.2f).Then(ActMark.SoundBegin),
+            new ActPhase("burst", 0.8f, ActEase.Over).To(Ahead, 0.12f).To(ForeDown, -0.04f).To(HindDown, 0.02f).To(NeckPitch, 0.35f).To(HeadPitch, 0.25f).To(Jaw, 1f).To(Ears, 0.6f).To(Lids, 0.3f).To(TailPitch, 0.4f).To(Wings, 0.4f).To(ArmsOut, 0.4f),
+            new ActPhase("sustain", 4.5f).To(Jaw, 0.85f).To(Ahead, 0.04f).With(new ActWave(NeckSide, 0.15f, 1f)).With(new ActWave(HeadSide, 0.2f, 1f, 0.1f)).With(new ActWave(Jaw, 0.05f, 12f)).With(new ActWave(HeadPitch, 0.02f, 12f)),
             new ActPhase("close", 0.9f).To(Jaw, 0f).Then(ActMark.SoundEnd),
-            new ActPhase("recover", 1.8f).To(Ahead, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(BackPitch, 0f).To(ForeDown, 0f).To(Ears, 0f).To(TailPitch, 0f).To(Wings, 0f).To(ArmsOut, 0f))
+            new ActPhase("recover", 1.8f).To(Ahead, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(BackPitch, 0f).To(ForeDown, 0f).To(HindDown, 0f).To(Ears, 0f).To(Lids, 0f).To(TailPitch, 0f).To(Wings, 0f).To(ArmsOut, 0f))
             .Needing(ActNeeds.Jaw),
         new Act("Threaten", ActKind.Display,
             new ActPhase("rise", 2.4f).To(NeckPitch, 1.25f).To(HeadPitch, -1.0f),
@@ -97,9 +97,10 @@ internal static class Displays
             new ActPhase("stay", 7f).With(new ActWave(Up, 0.006f, 12f)).With(new ActWave(HeadSide, 0.08f, 1f)),
             new ActPhase("straighten", 2.4f).To(Ahead, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(HeadRoll, 0f).To(Ears, 0f).To(Lids, 0f).To(TailPitch, 0f).To(TailCurl, 0f).To(Wings, 0f).To(BackPitch, 0f))
             .Needing(ActNeeds.Head).For(BodyBuild.Airborne).OnTheSpot(),
+        Dances.OfFourLegs,
         Dances.OfLegs,
         Dances.OfFliers,
-        Dances.OfOthers,
+        Dances.OfSwimmers,
         Dances.OfCrawlers,
         Flinches.OfManyLegs,
         Flinches.OfTwoLegs,

@@ -17,21 +17,22 @@ internal static class Postures
         new ActPhase("lie", 10f).To(NeckPitch, 0.6f).To(Lids, 0.1f).Lasting().With(new ActWave(Up, 0.004f, 3f)).With(new ActWave(HeadSide, 0.12f, 1f)).With(new ActWave(TailSide, 0.1f, 0.5f)),
     };
 
-    private static readonly ActPhase[] sleep =
-    {
-        new ActPhase("nod", 3.5f).To(NeckPitch, -0.9f).To(HeadPitch, 0.45f).To(NeckSide, 0.35f).To(HeadSide, 0.1f).To(Lids, 1f).To(Ears, 0.35f).To(TailSide, 0.5f),
-        new ActPhase("sleep", 14f).Lasting().With(new ActWave(Up, 0.006f, 2.5f)),
-        new ActPhase("wake", 2.4f).To(Lids, 0f).To(NeckPitch, 0.1f).To(HeadPitch, 0f).To(NeckSide, 0f).To(HeadSide, 0f).To(Ears, -0.3f).To(TailSide, 0f),
-    };
+    private static readonly ActPhase[] sleep = SleepBy(new ActPhase("nod", 3.5f).To(NeckPitch, -0.9f).To(HeadPitch, 0.45f).To(NeckSide, 0.35f).To(HeadSide, 0.1f).To(TailSide, 0.5f));
+
+    // Curled up on the belly: head and tail round to a flank.
+    private static readonly ActPhase[] sleepCurled = SleepBy(new ActPhase("curl up", 3.5f).To(BackSide, 0.25f).To(NeckPitch, -0.7f).To(NeckSide, 1.3f).To(HeadPitch, 0.2f).To(HeadSide, 0.5f).To(TailSide, 1f));
+
+    // On two legs, as birds do: the head turned away and laid on a shoulder.
+    private static readonly ActPhase[] sleepTucked = SleepBy(new ActPhase("tuck", 3.5f).To(NeckPitch, -0.5f).To(NeckSide, 1.4f).To(HeadPitch, -0.45f).To(HeadSide, 0.5f).To(TailSide, 0.3f));
 
     // Over onto the flank out of lying, and back onto the belly.
     private static readonly ActPhase[] sleepOnFlank =
     {
-        OntoFlank("roll over", 3.5f, ActEase.Smooth).To(NeckSide, 0.7f).To(HeadSide, 0.2f).To(NeckPitch, -0.1f).To(TailSide, 0.7f).To(Lids, 0.8f).To(Ears, 0.35f),
+        OntoFlank("roll over", 3.5f, ActEase.Smooth).To(NeckSide, 0.7f).To(HeadSide, 0.2f).To(NeckPitch, -0.1f).To(TailSide, 0.7f).To(ArmsAhead, 0.3f).To(ArmsOut, -0.4f).To(ArmsBend, 0.4f).To(Lids, 0.8f).To(Ears, 0.35f),
         new ActPhase("nod", 1.6f).To(NeckSide, 0.9f).To(Lids, 1f),
         new ActPhase("sleep", 14f).Lasting().With(new ActWave(BackPitch, 0.012f, 2.5f)),
         new ActPhase("wake", 1.6f).To(Lids, 0.2f).To(NeckSide, 0.1f).To(NeckPitch, 0.1f).To(Ears, -0.3f),
-        new ActPhase("roll back", 3f).To(OnFlank, 0f).To(ForeDown, 0.97f).To(HindDown, 0.97f).To(ForeFold, 1f).To(HindFold, 1f).To(ForeFeetPitch, 0f).To(HindFeetPitch, 0f).To(NeckSide, 0f).To(HeadSide, 0f).To(TailSide, 0f).To(Lids, 0f),
+        new ActPhase("roll back", 3f).To(OnFlank, 0f).To(ForeDown, 0.97f).To(HindDown, 0.97f).To(ForeFold, 1f).To(HindFold, 1f).To(ForeFeetPitch, 0f).To(HindFeetPitch, 0f).To(NeckSide, 0f).To(HeadSide, 0f).To(TailSide, 0f).To(ArmsAhead, 0f).To(ArmsOut, 0f).To(ArmsBend, 0f).To(Lids, 0f),
     };
 
     // Of an upright body, on its side.
@@ -64,10 +65,11 @@ internal static class Postures
         Lying("Lie", GettingDown(lie)).For(BodyBuild.Standing),
         Lying("Sleep", GettingDownOnPaws(sleepOnFlank)).Needing(ActNeeds.FourLegs | ActNeeds.BareFlanks).For(BodyBuild.Pawed),
         Lying("Sleep", GettingDownOnHooves(sleepOnFlank)).Needing(ActNeeds.FourLegs | ActNeeds.BareFlanks).For(BodyBuild.Hoofed | BodyBuild.Columnar),
-        Lying("Sleep", GettingDownOnPaws(sleep)).For(BodyBuild.Pawed),
-        Lying("Sleep", GettingDownOnHooves(sleep)).For(BodyBuild.Hoofed | BodyBuild.Columnar),
+        Lying("Sleep", GettingDownOnPaws(sleepCurled)).For(BodyBuild.Pawed),
+        Lying("Sleep", GettingDownOnHooves(sleepCurled)).For(BodyBuild.Hoofed | BodyBuild.Columnar),
         Lying("Sleep", GettingDownSideways(sleepOnSide)).Needing(ActNeeds.Legs | ActNeeds.Flanks).For(BodyBuild.Upright),
         Lying("Sleep", GettingDownUpright(sleep)).For(BodyBuild.Upright),
+        Lying("Sleep", GettingDown(sleepTucked)).For(BodyBuild.TwoLegged),
         Lying("Sleep", GettingDown(sleep)).For(BodyBuild.Standing),
         new Act("Sleep", ActKind.Posture,
             new ActPhase("nod", 4f).To(ForeDown, 1f).To(NeckSide, 0.4f).To(Lids, 1f),
@@ -184,6 +186,15 @@ internal static class Postures
     /// <summary>Over onto the flank, legs stretched out.</summary>
     private static ActPhase OntoFlank(string name, float duration, ActEase ease) =>
         new ActPhase(name, duration, ease).To(OnFlank, 1f).To(ForeDown, LyingSide.Flank.Down).To(HindDown, LyingSide.Flank.Down).To(ForeFold, 0f).To(HindFold, 0f).To(ForeFeetPitch, LyingSide.ToesDown).To(HindFeetPitch, LyingSide.ToesDown);
+
+    /// <summary>Asleep on the belly, and awake again.</summary>
+    /// <param name="nod">Where head, back and tail go.</param>
+    private static ActPhase[] SleepBy(ActPhase nod) => new[]
+    {
+        nod.To(Lids, 1f).To(Ears, 0.35f),
+        new ActPhase("sleep", 14f).Lasting().With(new ActWave(Up, 0.006f, 2.5f)),
+        new ActPhase("wake", 2.4f).To(Lids, 0f).To(BackSide, 0f).To(NeckPitch, 0.1f).To(HeadPitch, 0f).To(NeckSide, 0f).To(HeadSide, 0f).To(Ears, -0.3f).To(TailSide, 0f),
+    };
 
     private static Act Dying(params ActPhase[] phases) => new Act("Die", ActKind.Posture, phases).FallingFromAir();
 

@@ -1,3 +1,4 @@
+using System;
 using static CreatureGen.Motion.ActChannel;
 
 namespace CreatureGen.Motion.Acts.Library;
@@ -76,6 +77,12 @@ internal static class Upkeep
             new ActPhase("back", 3f).To(Reach, 0f).To(Pitch, 0f).To(NeckPitch, 0f).To(Ears, 0f).To(TailPitch, 0f))
             .Needing(ActNeeds.Head).With(ActTool.Mouth, 0.5f).For(BodyBuild.Airborne),
         new Act("Sniff", ActKind.Upkeep,
+            new ActPhase("near", 3f).To(Pitch, -0.3f).To(BackPitch, -0.1f).To(NeckPitch, -0.15f).To(Reach, 1f).To(Wings, 0.3f).Then(ActMark.Contact),
+            new ActPhase("weave", 8f).To(Reach, 0.6f).With(new ActWave(Aside, 0.35f, 2f)).With(new ActWave(Yaw, 0.22f, 2f, 0.3f)).With(new ActWave(Roll, 0.25f, 2f)).With(new ActWave(BackSide, 0.3f, 2f, 0.1f)).With(new ActWave(NeckSide, 0.35f, 2f, 0.2f)).With(new ActWave(HeadPitch, 0.06f, 8f)).With(new ActWave(Wings, 0.15f, 4f)),
+            new ActPhase("scent", 2.4f).To(Reach, 0f).To(Pitch, 0.12f).To(BackPitch, 0.08f).To(NeckPitch, 0.2f).To(HeadPitch, 0.2f).With(new ActWave(HeadSide, 0.15f, 1f)),
+            new ActPhase("back", 2.4f).To(Pitch, 0f).To(BackPitch, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(Wings, 0f))
+            .Needing(ActNeeds.Head).With(ActTool.Mouth, 0.4f).For(BodyBuild.Swimming),
+        new Act("Sniff", ActKind.Upkeep,
             new ActPhase("rise", 1.6f).To(ForeDown, -0.09f).To(NeckPitch, 0.55f).To(HeadPitch, 0.2f).To(BackSide, 0.08f).To(NeckSide, 0.4f).To(TailPitch, 0.2f).To(TailSide, -0.3f),
             new ActPhase("towards", 2.2f).To(ForeDown, 0.08f).To(Ahead, 0.10f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(BackSide, 0f).To(NeckSide, 0f).To(Reach, 1f).To(Ears, -0.7f).To(TailSide, 0f).Then(ActMark.Contact),
             new ActPhase("sniff", 6f).To(Reach, 0.4f).With(new ActWave(BackSide, 0.08f, 2f)).With(new ActWave(NeckSide, 0.5f, 2f, 0.1f)).With(new ActWave(HeadSide, 0.25f, 2f, 0.15f)).With(new ActWave(HeadPitch, 0.10f, 8f)).With(new ActWave(Jaw, 0.05f, 8f)).With(new ActWave(Ears, 0.4f, 6f, 0.3f)).With(new ActWave(TailSide, 0.3f, 2f, 0.4f)),
@@ -147,10 +154,25 @@ internal static class Upkeep
             new ActPhase("lower", 1.4f).To(ForeFeetUp, 0f).To(ForeFeetAhead, 0f).To(ForeFeetOut, 0f).To(Ears, 0f),
             new ActPhase("recover", 1.2f).To(Ahead, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f))
             .Needing(ActNeeds.FourLegs).For(BodyBuild.ManyLegged).OnTheSpot(),
+        GroomingForeLeg(0.38f, 0.12f, 0.9f).For(BodyBuild.Pawed),
+        GroomingForeLeg(0f, 0.22f, 0.9f).For(BodyBuild.Hoofed | BodyBuild.Columnar),
+        GroomingForeLeg(0f, 0f, 0.3f).For(BodyBuild.Sprawling),
         new Act("Groom", ActKind.Upkeep,
             new ActPhase("turn", 2.4f).To(BackSide, 0.3f).To(Yaw, 0.05f).To(NeckSide, 1.5f).To(NeckPitch, -0.2f).To(HeadSide, 0.6f).To(HeadPitch, -0.3f).To(Lids, 0.4f),
             new ActPhase("nibble", 6f).With(new ActWave(Jaw, 0.14f, 10f, 0.25f)).With(new ActWave(NeckPitch, 0.08f, 2f)).With(new ActWave(HeadSide, 0.08f, 4f)),
             new ActPhase("back", 2.4f).To(BackSide, 0f).To(Yaw, 0f).To(NeckSide, 0f).To(NeckPitch, 0f).To(HeadSide, 0f).To(HeadPitch, 0f).To(Lids, 0f))
             .Needing(ActNeeds.Head).For(BodyBuild.Standing),
     };
+    /// <summary>A fore leg set ahead or raised, and the head bowed to it: licked, nibbled, rubbed with the cheek.</summary>
+    /// <param name="up">How far the foot is held up.</param>
+    /// <param name="ahead">How far it is ahead.</param>
+    /// <param name="snoutDown">How far the snout points down at it, radians.</param>
+    private static Act GroomingForeLeg(float up, float ahead, float snoutDown) => new Act("Groom", ActKind.Upkeep,
+        new ActPhase("set ahead", 1.8f).To(Aside, -0.06f).To(ForeFootUp, Math.Max(up, 0.5f * ahead)).To(ForeFootAhead, 0.7f * ahead).To(ForeFootPitch, 0.8f * up).To(NeckPitch, -0.1f).To(NeckSide, 0.2f),
+        new ActPhase("bow", 2.2f).To(ForeFootUp, up).To(ForeFootAhead, ahead).To(ForeFootPitch, 1.6f * up).To(Reach, 1f).To(Lids, 0.5f).To(Ears, 0.3f).To(TailPitch, 0.1f).Then(ActMark.Contact),
+        new ActPhase("nibble", 8f).To(Reach, 0.94f).With(new ActWave(Reach, 0.05f, 5f)).With(new ActWave(Jaw, 0.16f, 10f, 0.25f)).With(new ActWave(HeadRoll, 0.16f, 2.5f)).With(new ActWave(HeadSide, 0.1f, 2.5f, 0.2f)).With(new ActWave(Ears, 0.3f, 2f)).With(new ActWave(TailSide, 0.3f, 1.5f)),
+        new ActPhase("look up", 2.2f).To(Reach, 0f).To(ForeFootPitch, 0.8f * up).To(NeckPitch, 0.15f).To(NeckSide, 0f).To(Lids, 0f).To(Ears, -0.3f),
+        new ActPhase("put down", 1.2f).To(ForeFootUp, up == 0f && ahead > 0f ? 0.5f * ahead : 0f).To(ForeFootAhead, up == 0f ? 0.4f * ahead : 0f).To(ForeFootPitch, 0f),
+        new ActPhase("stand", 1.2f).To(ForeFootUp, 0f).To(ForeFootAhead, 0f).To(Aside, 0f).To(NeckPitch, 0f).To(Ears, 0f).To(TailPitch, 0f))
+        .Needing(ActNeeds.Head | ActNeeds.FourLegs).With(ActTool.Mouth, snoutDown).OnItself().OnTheSpot();
 }

@@ -23,6 +23,9 @@ internal sealed class ActLayer
     private const float FeelerTurn = 0.6f;
     private const float FinTurn = 0.7f;
 
+    /// <summary>Part of a back's bend by which folded wings that hang on its front are turned against it: they go along its chord, and stay on a rump that the chest bows away from.</summary>
+    private const float WingsAlongChord = 0.7f;
+
     /// <summary>How high an act holds a foot whose leg is not folded under the body with the others any more, parts of the leg.</summary>
     private const float Unfolded = 0.3f;
 
@@ -192,6 +195,10 @@ internal sealed class ActLayer
         body.Tail.Turn(body.Turns, 0f, values[(int)ActChannel.TailCurl], 0f, body.Tail.Count / 2, local);
         TurnArms(values, side, local);
         TurnFins(values[(int)ActChannel.Wings], local);
+        if (carried)
+        {
+            LayWingsAlongBack(values, local);
+        }
     }
 
     /// <summary>How far the jaw is let down from where it is at rest, radians; 0 without one. A mouth shuts no farther than it is at rest: its lips would cut through one another.</summary>
@@ -242,6 +249,17 @@ internal sealed class ActLayer
             {
                 TurnJoint(arm.Joints[2], AxisRotation.Pitch(-bend), local);
             }
+        }
+    }
+
+    private void LayWingsAlongBack(float[] values, in Pose local)
+    {
+        float max = body.Legs!.MaxBendPitch;
+        float folded = 1f - Scalar.Clamp(values[(int)ActChannel.Wings], 0f, 1f);
+        Quaternion turn = AxisRotation.Pitch(WingsAlongChord * folded * Scalar.Clamp(values[(int)ActChannel.BackPitch], -max, max));
+        foreach (int wing in body.Wings)
+        {
+            TurnJoint(wing, turn, local);
         }
     }
 

@@ -5,6 +5,7 @@ using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Acts.Bodies;
 using CreatureGen.Motion.Acts.Playing;
+using CreatureGen.Motion.Walking.Legs;
 
 namespace CreatureGen.Motion.Acts.Rehearsing;
 
@@ -33,6 +34,12 @@ internal static class UsualTarget
     // Where the mouth may meet the ground, units ahead of where it is.
     private static readonly float[] places = { 0f, -0.25f, 0.25f, -0.5f, 0.5f };
 
+    // Where a mouth goes on a fore leg, parts of the way from its joint above the foot to the one over that: the hollow of a foot first.
+    private static readonly float[] onLeg = { -0.4f, 0f, 0.4f, 0.7f, 1f };
+
+    /// <summary>How far before the bones of a leg its skin is nibbled, units.</summary>
+    private const float SkinOfLeg = 0.06f;
+
     // Parts of the distance at which a snap is tried, the farthest first.
     private static readonly float[] parts = { 1f, 0.7f, 0.45f, 0.25f };
 
@@ -43,6 +50,7 @@ internal static class UsualTarget
         Vector3 now = stage.PlaceOf(act.Tool, false);
         return act.Tool switch
         {
+            ActTool.Mouth when act.IsOnItself => FirstReached(act, body, stage, OnForeLeg(act, body, stage)),
             ActTool.Mouth when act.SnoutDown > GroundedSnout && (body.Legs != null || body.Build == BodyBuild.Legless) => OnGround(act, body, stage, now),
             ActTool.Mouth => FirstReached(act, body, stage, InFront(act, body, now)),
             ActTool.Brow => FirstReached(act, body, stage, BeforeBrow(act, body, stage)),
@@ -81,6 +89,18 @@ internal static class UsualTarget
     {
         Vector3 way = (act.Kind == ActKind.Upkeep && body.Build == BodyBuild.Legless ? new Vector3(0f, 0.15f, -0.3f) : Before(body.Build)) * body.Unit;
         return parts.Select(part => now + (way * part));
+    }
+
+    /// <summary>Up the fore leg of the act's side, from its foot, as the act holds it.</summary>
+    private static IEnumerable<Vector3> OnForeLeg(Act act, ActBody body, ActStage stage)
+    {
+        stage.Show(act, ReachSearch.ReachedIn(act), 1, ActGain.Full, default);
+        LegRig leg = body.Legs!.Legs[body.ForeFeet.Left];
+        Vector3 ankle = stage.Model.Positions[leg.Ankle];
+        Vector3 ball = stage.Model.Positions[leg.Ball];
+        Vector3 knee = stage.Model.Positions[leg.Knee];
+        Vector3[] places = Array.ConvertAll(onLeg, at => (at < 0f ? Vec.Lerp(ankle, ball, -at) : Vec.Lerp(ankle, knee, at)) + new Vector3(0f, 0f, SkinOfLeg * body.Unit));
+        return places;
     }
 
     /// <summary>Ahead of the brow as it is lowered before it strikes.</summary>
