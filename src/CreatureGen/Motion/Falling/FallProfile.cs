@@ -40,9 +40,6 @@ internal sealed class FallProfile
     private const float MinFraction = 0.5f;
     private const float GreatestFraction = 1.2f;
 
-    /// <summary>Legs from which on a body rolls to its side as it goes limp.</summary>
-    private const int FourFooted = 4;
-
     /// <summary>Length by which the times of bodies without legs go, part of their size.</summary>
     private const float BodyHeight = 0.25f;
 
@@ -57,10 +54,11 @@ internal sealed class FallProfile
     private FallProfile(MotionSubject subject, LeggedBody? legs, GaitSet? gaits, Func<LyingManner?> lies)
     {
         Skeleton = subject.Skeleton;
-        bool topples = legs != null && legs.Legs.Length >= FourFooted && !Array.Exists(legs.Legs, leg => leg.Lateral);
+        Legs = LyingLeg.Of(legs);
+        Topple = ToppleManner.Of(Legs, subject.Seed);
+        bool topples = Topple.Topples;
         Ragdoll = topples ? new RagdollRig(subject.Skeleton, subject.Bones, PassiveLimit.Of) : new RagdollRig(subject.Skeleton, subject.Bones);
         Tone = LimpTone.Of(Ragdoll, topples || (legs != null && subject.Skeleton.FirstOf(JointRole.Wing) >= 0), topples);
-        ToppleSide = !topples ? 0f : (subject.Seed & 1) == 0 ? 1f : -1f;
         Manner = RisingManner.Of(subject);
         Mass = Math.Max(subject.Mass.Mass, 1e-4f);
         Swims = subject.Kind == LocomotionKind.Swimming;
@@ -69,7 +67,6 @@ internal sealed class FallProfile
         Tail = JointsOf(subject.Skeleton, role => role == JointRole.Tail);
         trunk = JointsOf(subject.Skeleton, role => role is JointRole.Pelvis or JointRole.Spine or JointRole.Chest);
         Overlaid = JointsOf(subject.Skeleton, role => role is JointRole.Neck or JointRole.Head or JointRole.Jaw or JointRole.Eye or JointRole.Antenna or JointRole.Tail);
-        Legs = LyingLeg.Of(legs);
         Limbs = LyingLimb.Of(subject, Legs);
         lying = new Lazy<LyingManner?>(() => legs == null || Array.Exists(legs.Legs, leg => leg.Lateral) ? null : lies());
         Inertias = HangingInertia.Of(subject.Skeleton, Ragdoll, Mass, legs == null ? ReadOnlySpan<int>.Empty : Array.ConvertAll(legs.Legs, leg => leg.End));
@@ -93,8 +90,8 @@ internal sealed class FallProfile
     /// <summary>How its muscles let go.</summary>
     public LimpTone Tone { get; }
 
-    /// <summary>The side to which it falls over if nothing else decides: 1 left, −1 right, another with each seed; 0 for what does not, on two legs, on legs out to the side or on none.</summary>
-    public float ToppleSide { get; }
+    /// <summary>How it rolls onto its flank, on legs under the body, to another side with each seed.</summary>
+    public ToppleManner Topple { get; }
 
     /// <summary>How it gets up.</summary>
     public RisingManner Manner { get; }

@@ -320,10 +320,13 @@ internal sealed class GettingUp
         GroundClearance.Settle(profile, shown, place, depth, Scalar.Smooth(u * gather / (SettleTime * unit)) * (1f - raised), settings.Up, ground);
         profile.Raise(shown.Local, height);
         shown.Finish();
+
+        // Feet come up with a body that heaves itself up over them: stretched after the ground they would lift it higher than it was foreseen.
+        var heaved = new Vector3(0f, height, 0f);
         foreach (LyingLeg leg in drawn)
         {
             int ankle = leg.Rig.Ankle;
-            LimbDraw.Apply(profile.Skeleton, leg, from.Model.Positions[ankle], ankles[ankle], Scalar.Smooth(u / DrawnIn), shown);
+            LimbDraw.Apply(profile.Skeleton, leg, from.Model.Positions[ankle] + heaved, ankles[ankle] + heaved, Scalar.Smooth(u / DrawnIn), shown);
         }
 
         LimbFold.Up(profile, profile.Limbs, shown, folded.Pose, FastestLimb * dt / unit, raised, place, depth, settings.Up, ground);

@@ -14,6 +14,9 @@ internal static class GroundClearance
     /// <summary>Radians by which a chain is bent in a round at most.</summary>
     private const float MaxBend = 0.4f;
 
+    /// <summary>What damps the turns of a foot, square of a part of its lever.</summary>
+    private const float FootDamping = 0.1f;
+
     /// <summary>Least lever of a chain, part of its length.</summary>
     private const float MinLever = 0.4f;
 
@@ -53,6 +56,32 @@ internal static class GroundClearance
     {
         Bend(profile, profile.Neck, BodyPart.Head, pose, place, 0f, up, ground);
         Bend(profile, profile.Tail, BodyPart.Tail, pose, place, 0f, up, ground);
+    }
+
+    /// <summary>Bends a foot up out of the ground at its ankle and its ball, as far as these go: no long toes hold a limp body up.</summary>
+    public static void BendFoot(FallProfile profile, LyingLeg leg, PoseBuffer pose, in RootPlace place, Vector3 up, IGround ground)
+    {
+        for (int round = 0; round < Rounds; round++)
+        {
+            float sunk = -profile.Support.LowestOfLimb(leg.Rig.Hip, place, pose.Model, up, ground, out Vector3 point);
+            if (!(sunk > 1e-4f * leg.Rig.Length))
+            {
+                return;
+            }
+
+            BendUp(profile.Skeleton, leg.Rig.Ankle, point, sunk, pose);
+            BendUp(profile.Skeleton, leg.Rig.Ball, point, sunk, pose);
+            Subtree.LocalToModel(profile.Skeleton, leg.Rig.Ankle, pose.Local, pose.Model);
+        }
+    }
+
+    /// <summary>Turns a joint so that a point on it comes up by half as much as it is in the ground (damped least squares: hardly, where the point is right below the joint).</summary>
+    private static void BendUp(Skeleton skeleton, int joint, Vector3 point, float sunk, PoseBuffer pose)
+    {
+        Vector3 lever = point - pose.Model.Positions[joint];
+        Vector3 axis = Vec.Cross(lever, Vector3.UnitY);
+        float angle = sunk * Vec.Length(axis) / (Vec.LengthSquared(axis) + (FootDamping * Vec.LengthSquared(lever)));
+        Turn(skeleton, joint, Rotation.FromAxisAngle(Vec.Normalize(axis, Vector3.UnitX), 0.5f * Math.Min(angle, MaxBend)), pose);
     }
 
     /// <summary>Turns a joint in model space, within its limits.</summary>

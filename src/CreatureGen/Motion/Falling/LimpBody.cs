@@ -90,7 +90,7 @@ internal sealed class LimpBody
         profile.Tone.Relax(ragdoll.Targets);
         before.Take(shown);
         Vector3 velocity = dt > 0f ? (place.Position - placeBefore.Position) / dt : Vector3.Zero;
-        topple.Begin(Rotation.Rotate(place.Rotation, Vector3.UnitX), Rotation.Rotate(place.Rotation, Vector3.UnitZ), profile.ToppleSide, velocity, (float)Math.Sqrt(StandardGravity.Acceleration * profile.Height * place.Scale));
+        topple.Begin(Rotation.Rotate(place.Rotation, Vector3.UnitX), Rotation.Rotate(place.Rotation, Vector3.UnitZ), profile.Topple, velocity, (float)Math.Sqrt(StandardGravity.Acceleration * profile.Height * place.Scale));
         seconds = 0f;
         lift = 0f;
     }
@@ -143,7 +143,12 @@ internal sealed class LimpBody
         now.Finish();
         Ragdoll.Show(profile.Ragdoll, ragdoll, place, now.Local, now.Model);
 
-        // Skin stands out of the capsules that lie on the ground: what head and tail wear bends them up, all else lifts the body.
+        // Skin stands out of the capsules that lie on the ground: toes give way to it, what head and tail wear bends them up, all else lifts the body.
+        foreach (LyingLeg leg in profile.Legs)
+        {
+            GroundClearance.BendFoot(profile, leg, now, place, settings.Up, ground);
+        }
+
         float body = Math.Max(0f, -profile.Support.Lowest(BodyPart.Trunk | BodyPart.Limb, place, now.Model, settings.Up, ground, out _));
         profile.Raise(now.Local, body);
         now.Finish();

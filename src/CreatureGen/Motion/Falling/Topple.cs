@@ -5,13 +5,9 @@ using CreatureGen.Motion.Toolkit;
 
 namespace CreatureGen.Motion.Falling;
 
-/// <summary>To which side a body on four legs under it rolls as it goes limp: without that it would come to stand on its folded legs, and its head would come down below its chest.</summary>
+/// <summary>To which side a body on legs under it rolls as it goes limp: without that it would come to stand on its folded legs, its rump up, and its head would come down below its chest.</summary>
 internal struct Topple
 {
-    /// <summary>How fast it rolls, 1/τ² with τ = √(ℓ/g), and how long that goes on, τ.</summary>
-    private const float Roll = 1.6f;
-    private const float Time = 2.5f;
-
     /// <summary>Longest time of an update that counts, τ: what falls in slow motion rolls no faster for it.</summary>
     private const float LongestStep = 0.3f;
 
@@ -29,20 +25,22 @@ internal struct Topple
     /// <summary>Speed to a side that decides to which it falls, √(gℓ).</summary>
     private const float Deciding = 0.05f;
 
+    private ToppleManner manner;
     private Vector3 axis;
 
     /// <summary>Goes limp.</summary>
     /// <param name="left">Unit, world space, where its left is.</param>
     /// <param name="ahead">Unit, world space, where it faces.</param>
-    /// <param name="usual">1 where it falls to the left if nothing else decides, −1 to the right, 0 for what lies on its belly.</param>
+    /// <param name="usual">How it rolls, and to which side if nothing else decides.</param>
     /// <param name="velocity">World m/s.</param>
     /// <param name="unit">√(gℓ), m/s.</param>
-    public void Begin(Vector3 left, Vector3 ahead, float usual, Vector3 velocity, float unit)
+    public void Begin(Vector3 left, Vector3 ahead, in ToppleManner usual, Vector3 velocity, float unit)
     {
         float aside = Vec.Dot(velocity, left) / unit;
 
         // To the left its back turns from up to left, about what is behind it.
-        axis = usual == 0f ? Vector3.Zero : ahead * (aside > Deciding ? -1f : aside < -Deciding ? 1f : -usual);
+        manner = usual;
+        axis = !usual.Topples ? Vector3.Zero : ahead * (aside > Deciding ? -1f : aside < -Deciding ? 1f : -usual.Side);
     }
 
     /// <summary>Rolls on.</summary>
@@ -60,10 +58,10 @@ internal struct Topple
 
         float step = Math.Min(dt, LongestStep * tau) / tau;
         float upright = Vec.Dot(Rotation.Rotate(body.FirstTurn, Vector3.UnitY), up);
-        float share = (float)Scalar.Clamp((upright - Tipped) / (Upright - Tipped), 0, 1) * (1f - Scalar.Smooth(seconds / (Time * tau)));
+        float share = (float)Scalar.Clamp((upright - Tipped) / (Upright - Tipped), 0, 1) * (1f - Scalar.Smooth(seconds / (manner.Time * tau)));
         if (share > 0f)
         {
-            body.Turn(axis * (share * Roll * step / tau));
+            body.Turn(axis * (share * manner.Roll * step / tau));
         }
 
         float held = Scalar.Smooth((-upright - OnFlank) / (BeyondFlank - OnFlank)) * (1f - Scalar.Smooth(seconds / (HeldTime * tau)));

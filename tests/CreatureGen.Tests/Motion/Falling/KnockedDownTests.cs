@@ -1,0 +1,88 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Numerics;
+using CreatureGen.Creatures;
+using CreatureGen.Maths;
+using CreatureGen.Motion;
+using CreatureGen.Rigging;
+using CreatureGen.Sampling;
+using Xunit;
+
+namespace CreatureGen.Tests.Motion.Falling;
+
+/// <summary>Walkers that are knocked down as they run, and asked to go on.</summary>
+public sealed class KnockedDownTests
+{
+    private const float Frame = 1f / 60f;
+
+    /// <summary>They came down on their chests, or sat on their folded legs, with their rumps up and their backs at 5 to 57° from up.</summary>
+    [Theory]
+    [InlineData(24730018UL)]
+    [InlineData(24730019UL)]
+    [InlineData(24730021UL, Explicit = true)]
+    public void On_two_legs_they_lie_on_a_flank_with_their_rumps_down(ulong seed)
+    {
+        const float MaxUp = 0.5f;
+        const float MaxRump = 0.2f;
+        Fallen fallen = Of(seed);
+        Assert.InRange(fallen.BackUp, -MaxUp, MaxUp);
+        Assert.True(fallen.Rump < MaxRump, $"its rump is {fallen.Rump} leg lengths above its chest");
+    }
+
+    /// <summary>Its feet stretched after the ground from which its body heaved itself up, and lifted that to 1.24 of its standing height.</summary>
+    [Theory]
+    [InlineData(24730013UL)]
+    public void Nobody_stands_on_legs_that_it_draws_in(ulong seed) => Assert.InRange(Of(seed).Gathered, 0.3f, 0.9f);
+
+    /// <summary>Long toes that pointed down held these up: at 1.08 and .95 of a leg.</summary>
+    [Theory]
+    [InlineData(24730004UL)]
+    [InlineData(24730002UL)]
+    public void Nobody_lies_on_its_toes(ulong seed) => Assert.InRange(Of(seed).Lies, 0.1f, 0.9f);
+
+    /// <summary>Runs, is knocked down, and goes on as soon as it can.</summary>
+    private static Fallen Of(ulong seed)
+    {
+        Creature creature = CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking });
+        var profile = new MotionProfile(creature);
+        var animator = new CreatureAnimator(profile);
+        var input = new MotionInput(profile.Gaits!.Speeds[^1].Comfortable);
+        animator.Teleport(RootPlace.Identity, FlatGround.Level);
+        Walkers.Run(animator, 2f, 60f, input, FlatGround.Level);
+        float stands = Trunk(animator);
+        float unit = MathF.Sqrt(9.81f * profile.LegLength);
+        animator.Hit(creature.Skeleton.FirstOf(JointRole.Head), Rotation.Rotate(animator.Root.Rotation, -Vector3.UnitX) * (0.8f * unit * creature.Mass.Mass));
+        var fallen = new Fallen(0f, 0f, 0f, 0f);
+        var heights = new List<float>();
+        for (int i = 0; i < 3000 && (i < 3 || animator.State != BodyState.Supported); i++)
+        {
+            animator.Update(Frame, input, FlatGround.Level);
+            if (animator.State == BodyState.Limp)
+            {
+                int pelvis = creature.Skeleton.FirstOf(JointRole.Pelvis);
+                int chest = creature.Skeleton.FirstOf(JointRole.Chest);
+                ReadOnlySpan<Vector3> places = animator.ModelPose.Positions;
+                Quaternion turn = Rotation.Multiply(animator.ModelPose.Rotations[pelvis], Rotation.Inverse(creature.Skeleton.ModelRotations[pelvis]));
+                fallen = new Fallen(Rotation.Rotate(turn, Vector3.UnitY).Y, (places[pelvis].Y - places[chest].Y) / profile.LegLength, Trunk(animator) / profile.LegLength, 0f);
+            }
+            else
+            {
+                heights.Add(Trunk(animator));
+            }
+        }
+
+        Assert.Equal(BodyState.Supported, animator.State);
+        return fallen with { Gathered = heights.Take(heights.Count / 2).Max() / stands };
+    }
+
+    /// <summary>How high the middle of the trunk is above the ground, metres.</summary>
+    private static float Trunk(CreatureAnimator animator) => animator.Root.Position.Y + animator.Profile.Fall.Value.TrunkHeight(animator.ModelPose);
+
+    /// <summary>How it lay at last.</summary>
+    /// <param name="BackUp">Cosine of its back from up.</param>
+    /// <param name="Rump">How high its pelvis was above its chest, leg lengths.</param>
+    /// <param name="Lies">How high the middle of its trunk was, leg lengths.</param>
+    /// <param name="Gathered">How high that was at most in the first half of getting up, parts of how high it stands.</param>
+    private readonly record struct Fallen(float BackUp, float Rump, float Lies, float Gathered);
+}
