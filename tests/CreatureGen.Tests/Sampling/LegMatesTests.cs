@@ -36,6 +36,18 @@ public sealed class LegMatesTests
         }
     }
 
+    /// <summary>Lengths of the three slices between the girdles together: 3.62, 3.64 and 4.16 where each further pair lengthened them by .24, and the pairs stood on one another.</summary>
+    [Theory]
+    [InlineData(24660015, 3, 3.8)]
+    [InlineData(24660020, 3, 3.75)]
+    [InlineData(24660034, 4, 4.4)]
+    public void Trunks_on_six_and_eight_legs_have_room_for_them_between_the_girdles(int seed, int pairs, double least)
+    {
+        CreatureBlueprint walker = BlueprintSampler.Sample((ulong)seed, CreatureOptions.Default with { Kind = RequestedKind.Walking });
+        Assert.Equal(pairs, walker.Legs.Count);
+        Assert.InRange(walker.Body.Slices.Skip(4).Take(3).Sum(slice => slice.Length), least, 2 * least);
+    }
+
     private static float[] ToesOf(Creature creature)
     {
         Vector3[] at = creature.Skeleton.ModelPositions.ToArray();
