@@ -141,7 +141,7 @@ internal static class Upkeep
             new ActPhase("rub", 8f).To(Lids, 0.8f).With(new ActWave(ArmsAhead, 0.18f, 7f)).With(new ActWave(ArmsBend, 0.25f, 7f, 0.2f)).With(new ActWave(NeckSide, 0.2f, 2f)).With(new ActWave(HeadSide, 0.25f, 2f)).With(new ActWave(HeadRoll, 0.25f, 2f, 0.15f)).With(new ActWave(HeadPitch, 0.12f, 7f)),
             new ActPhase("one cheek", 5f).To(ArmAhead, 0.35f).To(ArmOut, -0.15f).To(HeadRoll, 0.4f).To(HeadSide, 0.3f).With(new ActWave(ArmBend, 0.3f, 7f)).With(new ActWave(ArmAhead, 0.15f, 7f, 0.2f)),
             new ActPhase("lower", 2f).To(ArmsAhead, 0f).To(ArmsOut, 0f).To(ArmsBend, 0f).To(ArmAhead, 0f).To(ArmOut, 0f).To(BackPitch, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(HeadRoll, 0f).To(HeadSide, 0f).To(Lids, 0f).To(ForeDown, 0f))
-            .Needing(ActNeeds.Head | ActNeeds.Arms | ActNeeds.FourLegs).For(BodyBuild.Pawed | BodyBuild.Hoofed | BodyBuild.Columnar),
+            .Needing(ActNeeds.Head | ActNeeds.Arms).For(BodyBuild.Pawed | BodyBuild.Hoofed | BodyBuild.Columnar | BodyBuild.TwoLegged),
         new Act("Groom", ActKind.Upkeep,
             new ActPhase("raise", 2f).To(ArmsAhead, 1f).To(ArmsOut, -0.2f).To(ArmsBend, 1.9f).To(NeckPitch, -0.4f).To(HeadPitch, -0.3f).To(ForeDown, 0.05f),
             new ActPhase("rub", 8f).To(Lids, 0.8f).With(new ActWave(ArmsAhead, 0.18f, 7f)).With(new ActWave(ArmsBend, 0.25f, 7f, 0.2f)).With(new ActWave(NeckSide, 0.2f, 2f)).With(new ActWave(HeadSide, 0.3f, 2f)).With(new ActWave(HeadRoll, 0.25f, 2f, 0.15f)).With(new ActWave(HeadPitch, 0.12f, 7f)),
@@ -158,8 +158,8 @@ internal static class Upkeep
         GroomingForeLeg(0f, 0.22f, 0.9f).For(BodyBuild.Hoofed | BodyBuild.Columnar),
         GroomingForeLeg(0f, 0f, 0.3f).For(BodyBuild.Sprawling),
         new Act("Groom", ActKind.Upkeep,
-            new ActPhase("turn", 2.4f).To(BackSide, 0.3f).To(Yaw, 0.05f).To(NeckSide, 1.5f).To(NeckPitch, -0.2f).To(HeadSide, 0.6f).To(HeadPitch, -0.3f).To(Lids, 0.4f),
-            new ActPhase("nibble", 6f).With(new ActWave(Jaw, 0.14f, 10f, 0.25f)).With(new ActWave(NeckPitch, 0.08f, 2f)).With(new ActWave(HeadSide, 0.08f, 4f)),
+            new ActPhase("turn", 2.4f).To(BackSide, 0.3f).To(Yaw, 0.05f).To(NeckSide, 1.3f).To(NeckPitch, -0.7f).To(HeadSide, 0.6f).To(HeadPitch, -0.6f).To(Lids, 0.4f),
+            new ActPhase("nibble", 6f).With(new ActWave(Jaw, 0.14f, 10f, 0.25f)).With(new ActWave(NeckPitch, 0.12f, 2f)).With(new ActWave(NeckSide, 0.1f, 1f)).With(new ActWave(HeadSide, 0.08f, 4f)),
             new ActPhase("back", 2.4f).To(BackSide, 0f).To(Yaw, 0f).To(NeckSide, 0f).To(NeckPitch, 0f).To(HeadSide, 0f).To(HeadPitch, 0f).To(Lids, 0f))
             .Needing(ActNeeds.Head).For(BodyBuild.Standing),
     };
