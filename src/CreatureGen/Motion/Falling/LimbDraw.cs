@@ -31,7 +31,7 @@ internal static class LimbDraw
         LegRig leg = lying.Rig;
         ReadOnlySpan<Quaternion> rest = skeleton.ModelRotations;
         Quaternion thigh = Rotation.Multiply(pose.Model.Rotations[leg.Hip], Rotation.Inverse(rest[leg.Hip]));
-        LegSolver.Solve(leg, lying.Parts, Vec.Lerp(from, to, w) - pose.Model.Positions[leg.Hip], Rotation.Rotate(thigh, leg.Hinge), 0f, 0f, out LegRotations solved);
+        LegSolver.Solve(leg, lying.Parts, Vec.Lerp(from, to, w) - pose.Model.Positions[leg.Hip], Rotation.Rotate(thigh, leg.Hinge), 0f, 0f, Vector3.Zero, out LegRotations solved);
         Quaternion carrier = pose.Model.Rotations[skeleton.Parents[leg.Hip]];
         Quaternion hip = Rotation.Multiply(Rotation.Inverse(carrier), Rotation.Multiply(solved.Thigh, rest[leg.Hip]));
         Quaternion knee = Rotation.Multiply(leg.KneeRest, new Quaternion(solved.KneeHalfSine, 0f, 0f, solved.Knee.W));

@@ -8,5 +8,6 @@ namespace CreatureGen.Motion.Walking.Legs;
 /// <param name="Heading">Of the foot.</param>
 /// <param name="Slack">0..1: how early the reach is eased.</param>
 /// <param name="Tolerance">How far hip and knee may stay beyond their limits, about half the angle in radians.</param>
+/// <param name="Over">Direction away from the ground, as long as a foot that the leg does not reach down to stays over its place, 0..1.</param>
 [method: MethodImpl(MethodImplOptions.AggressiveInlining)]
-internal readonly record struct LegGoal(Vector3 Chord, Quaternion Heading, float Slack, float Tolerance);
+internal readonly record struct LegGoal(Vector3 Chord, Quaternion Heading, float Slack, float Tolerance, Vector3 Over);

@@ -75,6 +75,10 @@ internal static class LegSolver
     /// <summary>How near to its hip a foot in the air comes that begins to go past it outside, as a factor on how near a folded leg brings it.</summary>
     private const float NearlyFolded = 1.1f;
 
+    /// <summary>Squares of how upright a leg is, upright over all of its length, from which on one that is too short keeps its end over its place, and at which it does so wholly: one that lies flatter would be raised far for that.</summary>
+    private const float Flat = 0.3f;
+    private const float Upright = 0.5f;
+
     /// <summary>Solves a leg.</summary>
     /// <param name="leg">At rest.</param>
     /// <param name="parts">Its parts at rest, or with the metatarsus folded.</param>
@@ -82,8 +86,9 @@ internal static class LegSolver
     /// <param name="side">Where the hinge has to point.</param>
     /// <param name="slack">0..1: how early the reach is eased.</param>
     /// <param name="tolerance">How far the knee may stay beyond its limits, about half the angle in radians.</param>
+    /// <param name="over">Direction away from the ground, as long as an end that the leg does not reach down to stays over its place, 0..1, instead of being drawn towards the hip: a foot that stands would be dragged.</param>
     /// <param name="turns">The turns.</param>
-    public static void Solve(LegRig leg, in LegSegments parts, Vector3 target, Vector3 side, float slack, float tolerance, out LegRotations turns)
+    public static void Solve(LegRig leg, in LegSegments parts, Vector3 target, Vector3 side, float slack, float tolerance, Vector3 over, out LegRotations turns)
     {
         Vector3 n = leg.Hinge;
         double max = parts.Max;
@@ -117,7 +122,16 @@ internal static class LegSolver
         turns.Knee = new Quaternion(n * (float)halfSine, (float)halfCosine);
 
         Vector3 chord = parts.Upper + Rotation.Rotate(turns.Knee, leg.Shank);
-        Vector3 aim = leg.Lateral && turns.Strain > tolerance ? Around(target, Vec.LengthSquared(chord)) : target;
+        Vector3 aim = target;
+        if (leg.Lateral && turns.Strain > tolerance)
+        {
+            aim = Around(target, Vec.LengthSquared(chord));
+        }
+        else if (asked > from && over != Vector3.Zero)
+        {
+            aim = Over(target, Vec.LengthSquared(chord), over);
+        }
+
         turns.Thigh = UnitRotation.Frame(Vec.Normalize(chord, -Vector3.UnitY), n, Vec.Normalize(aim, -Vector3.UnitY), side);
         turns.Shank = Rotation.Multiply(turns.Thigh, turns.Knee);
     }
@@ -210,6 +224,19 @@ internal static class LegSolver
 
         float fraction = (float)Math.Sqrt(wanted / level);
         return new Vector3(target.X * fraction, target.Y, target.Z * fraction);
+    }
+
+    /// <summary>Where a foot goes that is farther from its hip than the leg reaches: over its place as far as the leg stands upright, towards the hip for the rest.</summary>
+    private static Vector3 Over(Vector3 target, float lengthSquared, Vector3 over)
+    {
+        float whole = Vec.Length(over);
+        Vector3 away = over / whole;
+        float below = -Vec.Dot(target, away);
+        float squared = Vec.LengthSquared(target);
+        float upright = lengthSquared - squared + (below * below);
+        float fraction = below > 0f ? whole * Scalar.Smooth(((upright / lengthSquared) - Flat) / (Upright - Flat)) : 0f;
+        Vector3 nearer = target * (float)Math.Sqrt(lengthSquared / squared);
+        return fraction > 0f ? Vec.Lerp(nearer, target + (away * (below - (float)Math.Sqrt(upright))), fraction) : nearer;
     }
 
     /// <summary>Where a leg out to the side reaches for whose foot in the air comes nearer to its hip than it folds: past the hip on its outer side at the same height. Straight away from the hip, as one that stands, it would be kept in the ground by its limits.</summary>

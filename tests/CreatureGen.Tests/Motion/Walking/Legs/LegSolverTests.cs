@@ -215,10 +215,28 @@ public sealed class LegSolverTests
         }
     }
 
+    [Theory]
+    [InlineData(0.975f)]
+    [InlineData(0.99f)]
+    [InlineData(1.02f)]
+    public void A_standing_foot_that_its_leg_does_not_reach_down_to_is_over_its_place(float stretch)
+    {
+        LegRig leg = new MotionProfile(Walkers.Any(42)).Legs!.Legs[0];
+        float distance = (float)Math.Sqrt(Math.Pow(stretch * leg.Parts.Max, 2) + leg.Parts.OffsetSquared);
+        Vector3 place = Vector3.Normalize(new Vector3(0.1f, -1f, -0.5f)) * distance;
+        LegSolver.Solve(leg, leg.Parts, place, leg.Hinge, 0f, 0f, Vector3.UnitY, out LegRotations stands);
+        LegSolver.Solve(leg, leg.Parts, place, leg.Hinge, 0f, 0f, Vector3.Zero, out LegRotations hangs);
+        Assert.True(Aside(End(leg, stands), place) < 1e-4f * leg.Length, $"{Aside(End(leg, stands), place)} metres aside");
+        Assert.True(Aside(End(leg, hangs), place) > 10f * Aside(End(leg, stands), place));
+        Assert.True(End(leg, stands).Y > place.Y);
+    }
+
+    private static float Aside(Vector3 end, Vector3 place) => new Vector2(end.X - place.X, end.Z - place.Z).Length();
+
     /// <summary>A leg at rest with its thigh swung by an angle.</summary>
     private static LegRotations Held(LegRig leg, float angle)
     {
-        LegSolver.Solve(leg, leg.Parts, leg.Parts.Upper + leg.Shank, leg.Hinge, 0f, 0f, out LegRotations turns);
+        LegSolver.Solve(leg, leg.Parts, leg.Parts.Upper + leg.Shank, leg.Hinge, 0f, 0f, Vector3.Zero, out LegRotations turns);
         turns.Thigh = Rotation.Multiply(Rotation.FromAxisAngle(leg.Hinge, angle), turns.Thigh);
         turns.Shank = Rotation.Multiply(turns.Thigh, turns.Knee);
         return turns;
