@@ -60,7 +60,7 @@ internal struct FootPlan
     /// <summary>Whether it goes to where it will stand for good.</summary>
     public bool ForGood;
 
-    /// <summary>Whether it has stepped under a body that stands from its beginning on, and so is as near to its home as its leg and the ground let it come: it need not try again. In the air whether it does so.</summary>
+    /// <summary>Whether it has stepped under a body that stands from its beginning on and is not asked to creep, and so is as near to its home as its leg and the ground let it come: it need not try again. In the air whether it does so.</summary>
     public bool AsNear;
 
     /// <summary>Whether it swings by its own clock, out of step with the gait: a correction.</summary>

@@ -119,7 +119,7 @@ internal sealed partial class FootPlanner
             float flight = (1f - p) * cycle;
             float ahead = step.Moving ? StepPhase.ToMidstance(flight, duty, cycle) : flight;
             foot.Plan.Steps = false;
-            foot.Plan.AsNear &= !step.Moving;
+            foot.Plan.AsNear &= !step.Moving && step.RootVelocity.IsToStand;
             if (FootRelease.IsDue(ref foot, body, body.Legs[i], step, onward) && (step.Moving || Wants(i, step, ahead, flight)))
             {
                 Release(i, step, (1f - duty) * cycle);

@@ -120,11 +120,13 @@ public sealed class CourseBoundsTests
 
     /// <summary>
     /// Feet of claws were turned about the middle of their soles with their legs (.007), toes of a grasshopper were not in the outline on which its feet roll (.023), hips of a bird came to their end between two decisions (.056),
-    /// a sprawler came to rest on stairs on a foot that its leg did not reach (.031), and feet of fliers that legs on the ground did not reach down to were drawn along the ground as these came nearer (.011 and .006).
+    /// a sprawler came to rest on stairs on a foot that its leg did not reach (.031), and feet of fliers that legs on the ground did not reach down to were drawn along the ground as these came nearer (.011 and .006);
+    /// those that had come to rest under a body on many legs were dragged for seconds by one that crept on, more slowly than counts as going (.100).
     /// </summary>
     [Theory]
     [InlineData(RequestedKind.Flying, 24552057UL, "keys", 0.005f)]
     [InlineData(RequestedKind.Flying, 24710029UL, "spin", 0.003f)]
+    [InlineData(RequestedKind.Walking, 24700080UL, "straight", 0.01f)]
     [InlineData(RequestedKind.Walking, 23151019UL, "keys", 0.005f)]
     [InlineData(RequestedKind.Walking, 23151004UL, "straight", 0.01f)]
     [InlineData(RequestedKind.Flying, 22400038UL, "keys", 0.01f)]
