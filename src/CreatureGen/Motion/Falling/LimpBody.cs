@@ -113,6 +113,11 @@ internal sealed class LimpBody
         Vector3 change = impulse / (profile.Mass * scale * scale * scale * profile.Ragdoll.MassOf(joint));
         float max = 2f * (float)Math.Sqrt(gravity * profile.Height * scale);
         float length = Vec.Length(change);
+        if (!Falls)
+        {
+            topple.Push(impulse);
+        }
+
         ragdoll.Push(joint, length > max ? change * (max / length) : change, ragdoll.CentreOf(joint));
     }
 

@@ -26,6 +26,8 @@ internal struct Topple
     private const float Deciding = 0.05f;
 
     private ToppleManner manner;
+    private Vector3 left;
+    private Vector3 ahead;
     private Vector3 axis;
 
     /// <summary>Goes limp.</summary>
@@ -37,10 +39,21 @@ internal struct Topple
     public void Begin(Vector3 left, Vector3 ahead, in ToppleManner usual, Vector3 velocity, float unit)
     {
         float aside = Vec.Dot(velocity, left) / unit;
+        (manner, this.left, this.ahead) = (usual, left, ahead);
+        bool sinks = !usual.Topples || Vec.Length(velocity) < usual.Least * unit;
 
         // To the left its back turns from up to left, about what is behind it.
-        manner = usual;
-        axis = !usual.Topples ? Vector3.Zero : ahead * (aside > Deciding ? -1f : aside < -Deciding ? 1f : -usual.Side);
+        axis = sinks ? Vector3.Zero : ahead * (aside > Deciding ? -1f : aside < -Deciding ? 1f : -usual.Side);
+    }
+
+    /// <summary>Is struck as it goes limp: who stood topples away from the blow.</summary>
+    /// <param name="impulse">World N·s.</param>
+    public void Push(Vector3 impulse)
+    {
+        if (axis == Vector3.Zero && manner.Topples)
+        {
+            axis = ahead * (Vec.Dot(impulse, left) > 0f ? -1f : 1f);
+        }
     }
 
     /// <summary>Rolls on.</summary>
@@ -68,9 +81,9 @@ internal struct Topple
         if (held > 0f)
         {
             // About its own length, along which its left goes down as its back comes up on that side.
-            Vector3 ahead = Rotation.Rotate(body.FirstTurn, Vector3.UnitZ);
-            float left = Vec.Dot(Rotation.Rotate(body.FirstTurn, Vector3.UnitX), up);
-            body.Turn(ahead * (held * step * (-Back * left / tau - (Brake * Vec.Dot(body.FirstSpin, ahead)))));
+            Vector3 nose = Rotation.Rotate(body.FirstTurn, Vector3.UnitZ);
+            float side = Vec.Dot(Rotation.Rotate(body.FirstTurn, Vector3.UnitX), up);
+            body.Turn(nose * (held * step * (-Back * side / tau - (Brake * Vec.Dot(body.FirstSpin, nose)))));
         }
     }
 }
