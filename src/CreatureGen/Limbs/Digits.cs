@@ -31,11 +31,6 @@ internal static class Digits
     /// <summary>Half height of a disc at the end of a toe, in those of a plain toe's end.</summary>
     private const float FlattestDisc = 1.1f;
 
-    // Half heights of a standing toe: behind its root in those of the foot, before its tip and at the tip in its radii. One as high before its tip as behind its root is a ball on a stalk.
-    private const float Knuckle = 0.74f;
-    private const float Pad = 0.88f;
-    private const float Tip = 0.5f;
-
     private static readonly float[] sections = { 0f, 0.6f, 1.3f, 2f, 2.6f, 3f };
     private static readonly float[] reach = { 0f, 0.35f, 0.75f, 1f };
     private static readonly float[] spread = { 0f, 0.22f, 0.72f, 1f };
@@ -103,7 +98,7 @@ internal static class Digits
             float foreEnd = standing ? end.ForeRadius * 0.9f : end.ForeRadius * 0.8f;
             float side0 = end.AcrossRadius / count;
             float[] fore = standing
-                ? new[] { foreEnd, Math.Max(tipRadius, end.ForeRadius * Knuckle) * Math.Min(1f, foot.Radius.Middle), tipRadius * Pad * foot.Radius.Ball, tipRadius * Tip * Math.Min(foot.Radius.Tip, FlattestDisc) }
+                ? new[] { foreEnd, Math.Max(tipRadius, end.ForeRadius * 0.62f) * Math.Min(1f, foot.Radius.Middle), tipRadius * 1.05f * foot.Radius.Ball, tipRadius * 0.6f * Math.Min(foot.Radius.Tip, FlattestDisc) }
                 : new[] { foreEnd, tipRadius * 1.1f, tipRadius, tipRadius * 0.6f };
             float[] sides = { side0 * 0.9f, Math.Max(side0 * 0.9f, tipRadius) * Math.Min(1f, foot.Radius.Middle), tipRadius * 1.08f * foot.Radius.Ball, tipRadius * 0.65f * foot.Radius.Tip };
             for (int k = 0; k < 4; k++)

@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
-using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Wings;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion;
@@ -35,7 +35,7 @@ public sealed class FoldedShapeTests
     public void Folded_membranes_do_not_stand_above_the_back_like_tents()
     {
         var heights = new List<double>();
-        foreach (StandingFlier flier in StandingFlier.Of(20200000, 60, CreatureOptions.Default).Where(flier => flier.Creature.Blueprint.Wings.Any(wing => wing.Style is WingStyle.Bat or WingStyle.Dragon or WingStyle.Pterosaur)))
+        foreach (StandingFlier flier in StandingFlier.Of(20200000, 60, CreatureOptions.Default).Where(flier => flier.Creature.Blueprint.Wings.Any(wing => WingFingers.Of(wing.Style) != null)))
         {
             flier.Stand(FlatGround.Level);
             heights.Add(flier.AboveBack());

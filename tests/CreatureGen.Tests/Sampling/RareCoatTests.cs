@@ -99,5 +99,5 @@ public sealed class RareCoatTests
     private static bool IsAlbino(CoatBlueprint one) => one.Base.Lightness > 0.88 && one.Base.Chroma < 0.023 && one.Iris.Hue < 0.4;
 
     private static IEnumerable<CoatBlueprint> Rare(PaletteMood mood) =>
-        Enumerable.Range(0, Draws).Select(n => RareCoats.Perhaps(coat, mood, new Seed((ulong)n).Stream())).Where(one => one != coat);
+        Enumerable.Range(0, Draws).Select(n => RareCoats.Perhaps(coat, mood, new Seed((ulong)n).Stream(), mixed: 1)).Where(one => one != coat);
 }

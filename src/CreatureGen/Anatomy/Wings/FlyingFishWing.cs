@@ -7,19 +7,19 @@ internal static class FlyingFishWing
     public static readonly WingForm Form = new()
     {
         Stations = new[] { 0, 0.15, 0.35, 0.6, 0.8, 0.92, 1 },
-        Lead = new[] { 0, 0.03, 0.06, 0.05, 0, -0.05, -0.12 },
+        Lead = new[] { 0, 0, 0.09, 0.145, 0.08, 0.01, -0.09 },
         Digits = new[]
         {
-            new WingPoint[] { new(0.08, 0), new(0.35, 0.05), new(0.6, 0.04), new(0.8, -0.01), new(1, -0.13) },
-            new WingPoint[] { new(0.08, -0.02), new(0.55, -0.02), new(0.93, -0.19) },
-            new WingPoint[] { new(0.08, -0.04), new(0.5, -0.08), new(0.83, -0.26) },
-            new WingPoint[] { new(0.08, -0.06), new(0.42, -0.13), new(0.7, -0.32) },
+            new WingPoint[] { new(0.08, -0.01), new(0.35, 0.08), new(0.6, 0.135), new(0.8, 0.07), new(1, -0.1) },
+            new WingPoint[] { new(0.08, -0.03), new(0.55, 0.03), new(0.93, -0.16) },
+            new WingPoint[] { new(0.08, -0.05), new(0.5, -0.04), new(0.83, -0.24) },
+            new WingPoint[] { new(0.08, -0.07), new(0.42, -0.1), new(0.7, -0.31) },
             new WingPoint[] { new(0.08, -0.09), new(0.35, -0.18), new(0.55, -0.36) },
             new WingPoint[] { new(0.08, -0.12), new(0.26, -0.22), new(0.4, -0.38) },
             new WingPoint[] { new(0.08, -0.16), new(0.18, -0.27), new(0.25, -0.37) },
         },
-        Tips = new WingPoint[] { new(0, -0.3), new(0.04, -0.3), new(0.25, -0.37), new(0.4, -0.38), new(0.55, -0.36), new(0.7, -0.32), new(0.83, -0.26), new(0.93, -0.19), new(1, -0.13) },
+        Tips = new WingPoint[] { new(0, -0.3), new(0.04, -0.3), new(0.25, -0.37), new(0.4, -0.38), new(0.55, -0.36), new(0.7, -0.31), new(0.83, -0.24), new(0.93, -0.16), new(1, -0.1) },
         Scallops = new[] { 0, 0.02, 0.025, 0.025, 0.025, 0.02, 0.015, 0.01 },
-        Depth = 0.43, Span = 1.15,
+        Depth = 0.5, Span = 1.15,
     };
 }

@@ -13,23 +13,28 @@ internal static class RareCoats
     /// <summary>Probability of each.</summary>
     public const double Odds = 1 / 80.0;
 
+    /// <summary>By how much darker the back of a mixed albino is, and the least strength of its pattern.</summary>
+    private const double DarkerBack = 0.02;
+    private const double LeastPattern = 0.65;
+
     /// <summary>The coat, or one of its rare forms.</summary>
     /// <param name="coat">As it would be.</param>
     /// <param name="palette">The mood that is asked for.</param>
     /// <param name="random">Decides.</param>
-    public static CoatBlueprint Perhaps(CoatBlueprint coat, PaletteMood palette, RandomStream random)
+    /// <param name="mixed">0 for an animal, 1 for a body of several: without a pattern that has no form to the eye.</param>
+    public static CoatBlueprint Perhaps(CoatBlueprint coat, PaletteMood palette, RandomStream random, double mixed)
     {
         double drawn = random.Uniform();
         if (drawn < Odds)
         {
-            return palette is PaletteMood.Any or PaletteMood.Pale ? Albino(coat, random) : coat;
+            return palette is PaletteMood.Any or PaletteMood.Pale ? Albino(coat, random, mixed) : coat;
         }
 
         return drawn < 2 * Odds && palette is (PaletteMood.Any or PaletteMood.Dark) ? Melanistic(coat, random) : coat;
     }
 
-    /// <summary>Nearly white with a warm tint; blood shows through eyes, nose and ears. A breath of the pattern is always left: what is white all over has no form to the eye.</summary>
-    private static CoatBlueprint Albino(CoatBlueprint coat, RandomStream random)
+    /// <summary>Nearly white with a warm tint; blood shows through eyes, nose and ears. A breath of the pattern is left on half of all animals, and on whatever is mixed.</summary>
+    private static CoatBlueprint Albino(CoatBlueprint coat, RandomStream random, double mixed)
     {
         double lightness = random.Uniform(0.89, 0.92);
         double chroma = random.Uniform(0.012, 0.022);
@@ -37,7 +42,7 @@ internal static class RareCoats
         return coat with
         {
             Base = Colour(lightness, chroma, hue),
-            Back = Colour(lightness - 0.05, chroma * 1.2, hue),
+            Back = Colour(lightness - 0.03 - (DarkerBack * mixed), chroma * 1.2, hue),
             Belly = Colour(0.945, chroma * 0.6, hue),
             Limb = Colour(lightness - 0.05, chroma * 1.6, hue - 20),
             Pattern = Colour(lightness - 0.10, chroma * 2, hue - 10),
@@ -47,7 +52,7 @@ internal static class RareCoats
             Muzzle = Colour(0.74, 0.085, 18),
             Mouth = Colour(0.55, 0.11, 18),
             Iris = Colour(random.Uniform(0.56, 0.63), random.Uniform(0.14, 0.17), random.Uniform(8, 20)),
-            PatternStrength = random.Uniform(0.6, 0.88),
+            PatternStrength = Math.Max(random.Chance(0.5) ? 0 : random.Uniform(0.4, 0.8), LeastPattern * mixed),
         };
     }
 
