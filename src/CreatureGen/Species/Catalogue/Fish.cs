@@ -39,7 +39,6 @@ internal static class Fish
         WalkingPlans = Weights.Of((BodyPlan.Theropod, 0.4), (BodyPlan.Sprawling, 0.6)),
         SwimmingPlans = Weights.Of((BodyPlan.Fish, 0.82), (BodyPlan.Whale, 0.18)),
         Eye = (10, 7.0), EyeSize = 0.3, EyeSink = 0.62, EyeForward = 0.3, LidDegrees = (70, 80), Bone = 0,
-        WingStyles = Weights.Of((WingStyle.Feathered, 0.55), (WingStyle.FlyingFish, 0.45)),
         Swelling = (0.03, 0.02), TongueTints = Weights.Of((new Tint(0.66, 0.06, 25), 1)), MouthCorner = 5, Nostril = 0.12,
         Dentition = NeedleTeeth.Teeth, Teeth = 0.6, ToothLength = 0.16,
         Patterns = Weights.Of((PatternKind.Bands, 1), (PatternKind.Stripes, 0.6), (PatternKind.Spots, 0.8), (PatternKind.Mottle, 0.5), (PatternKind.Saddle, 0.9), (PatternKind.Turing, 0.8)),
