@@ -163,6 +163,7 @@ internal static class Upkeep
             new ActPhase("back", 2.4f).To(BackSide, 0f).To(Yaw, 0f).To(NeckSide, 0f).To(NeckPitch, 0f).To(HeadSide, 0f).To(HeadPitch, 0f).To(Lids, 0f))
             .Needing(ActNeeds.Head).For(BodyBuild.Standing),
     };
+
     /// <summary>A fore leg set ahead or raised, and the head bowed to it: licked, nibbled, rubbed with the cheek.</summary>
     /// <param name="up">How far the foot is held up.</param>
     /// <param name="ahead">How far it is ahead.</param>

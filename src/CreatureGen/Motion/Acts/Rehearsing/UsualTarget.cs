@@ -99,8 +99,7 @@ internal static class UsualTarget
         Vector3 ankle = stage.Model.Positions[leg.Ankle];
         Vector3 ball = stage.Model.Positions[leg.Ball];
         Vector3 knee = stage.Model.Positions[leg.Knee];
-        Vector3[] places = Array.ConvertAll(onLeg, at => (at < 0f ? Vec.Lerp(ankle, ball, -at) : Vec.Lerp(ankle, knee, at)) + new Vector3(0f, 0f, SkinOfLeg * body.Unit));
-        return places;
+        return Array.ConvertAll(onLeg, at => (at < 0f ? Vec.Lerp(ankle, ball, -at) : Vec.Lerp(ankle, knee, at)) + new Vector3(0f, 0f, SkinOfLeg * body.Unit));
     }
 
     /// <summary>Ahead of the brow as it is lowered before it strikes.</summary>
