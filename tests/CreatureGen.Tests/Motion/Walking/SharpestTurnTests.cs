@@ -24,6 +24,18 @@ public sealed class SharpestTurnTests
         Assert.True(Turned(animator, speed, 3f * sharpest) < 1.1f * sharpest, $"{seed} turns by {Turned(animator, speed, 3f * sharpest)}, tells {sharpest}");
     }
 
+    /// <summary>Their legs stand nearly straight, and were thought to reach no farther aside than a few hundredths of their length (.88, .42 and 1.11 radians per second): a body comes down over legs that step wide.</summary>
+    [Theory]
+    [InlineData(24790014UL, 2f)]
+    [InlineData(24790006UL, 0.7f)]
+    [InlineData(24790002UL, 1.3f)]
+    public void Who_stands_on_straight_legs_turns_on_the_spot_as_far_as_its_hips_and_ankles_let_them_lean(ulong seed, float least)
+    {
+        var animator = new CreatureAnimator(new MotionProfile(Walkers.Any(seed)));
+        Assert.True(animator.SharpestTurn(0f) >= least, $"{seed} turns by {animator.SharpestTurn(0f)}");
+        Assert.True(Turned(animator, 0f, least) >= 0.95f * least, $"{seed} turns by {Turned(animator, 0f, least)}");
+    }
+
     [Fact]
     public void What_has_no_legs_tells_none_and_speeds_that_are_no_numbers_are_refused()
     {

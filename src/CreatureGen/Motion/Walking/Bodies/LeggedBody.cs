@@ -171,6 +171,10 @@ internal sealed class LeggedBody
     /// <summary>How far it sways to a side at most, metres: what its hips draw their legs in beyond the narrowest track.</summary>
     public float MaxSway { get; }
 
+    /// <summary>How far it sways at most as it turns: the steps of feet ahead of the middle and behind it take hips above them nearer to their ends.</summary>
+    /// <param name="turned">In a stance, radians.</param>
+    public float MaxSwayIn(float turned) => Legs[0].Lateral ? MaxSway : Math.Max(MaxSway - (0.5f * SwayFraction * Math.Abs(turned) * Math.Max(Math.Abs(ForeHips.Z), Math.Abs(HindHips.Z))), 0f);
+
     /// <summary>How far the trunk yaws with its feet at most.</summary>
     public TrunkYaw Yaw { get; }
 

@@ -12,6 +12,9 @@ internal readonly record struct StepRange(float Aside, float Ahead)
     /// <summary>Part of its reach that a leg takes up at most, unless it stands stretched farther.</summary>
     private const float Stretch = 0.97f;
 
+    /// <summary>How far a body comes down over legs below it that step wide, leg lengths: legs that stand nearly straight would not step at all otherwise.</summary>
+    private const float Drop = 0.08f;
+
     /// <summary>Length to which it is folded at most, of its folded reach and of its length at rest; unless it stands folded farther.</summary>
     private const float FoldedFraction = 1.05f;
     private const float ShortestFraction = 0.55f;
@@ -26,6 +29,12 @@ internal readonly record struct StepRange(float Aside, float Ahead)
     private const float Lean = 0.29f;
     private const float LeanFraction = 0.8f;
 
+    /// <summary>What it keeps of that for ground that slants aside, radians: hips of pillars have hardly more.</summary>
+    private const float SlantRoom = 0.06f;
+
+    /// <summary>Part of what its ankle bends to a side by which the leg of a flat foot leans at most: the sole stays on the ground.</summary>
+    private const float FlatFraction = 0.65f;
+
     /// <summary>Least range, and the step in which it is measured, leg lengths.</summary>
     private const float Min = 0.06f;
     private const float Step = 0.02f;
@@ -36,8 +45,9 @@ internal readonly record struct StepRange(float Aside, float Ahead)
     public static StepRange Of(LegRig leg, Vector3 home)
     {
         Vector3 chord = leg.Thigh + leg.Shank + (leg.Traits.Linkage == LegLinkage.Pantograph ? leg.Metatarsus : Vector3.Zero) + (home - leg.Home);
-        float aside = Math.Min(Way(leg, chord, Vector3.UnitX), Way(leg, chord, -Vector3.UnitX));
-        float ahead = Math.Min(Way(leg, chord, Vector3.UnitZ), Way(leg, chord, -Vector3.UnitZ));
+        float drop = leg.Lateral ? 0f : Drop * leg.Length;
+        float aside = Math.Min(Way(leg, chord, Vector3.UnitX, drop), Way(leg, chord, -Vector3.UnitX, drop));
+        float ahead = Math.Min(Way(leg, chord, Vector3.UnitZ, 0f), Way(leg, chord, -Vector3.UnitZ, 0f));
         return new StepRange(leg.Lateral ? aside : Math.Min(aside, Math.Max(Leaning(leg), Min * leg.Length)), ahead);
     }
 
@@ -45,12 +55,13 @@ internal readonly record struct StepRange(float Aside, float Ahead)
     private static float Leaning(LegRig leg)
     {
         float inward = Math.Abs(leg.HipRest.X) - Math.Abs(leg.Home.X);
-        float inner = leg.AsideRange(Math.Min(Lean, LeanFraction * leg.Limits.DrawsIn)) - inward;
-        float outer = leg.AsideRange(Math.Min(Lean, LeanFraction * leg.Limits.DrawsOut)) + inward;
+        float lean = leg.FlatFoot ? Math.Min(Lean, FlatFraction * leg.Limits.AnkleAside) : Lean;
+        float inner = leg.AsideRange(Math.Min(lean, (LeanFraction * leg.Limits.DrawsIn) - SlantRoom)) - inward;
+        float outer = leg.AsideRange(Math.Min(lean, (LeanFraction * leg.Limits.DrawsOut) - SlantRoom)) + inward;
         return Math.Min(inner, outer);
     }
 
-    private static float Way(LegRig leg, Vector3 rest, Vector3 direction)
+    private static float Way(LegRig leg, Vector3 rest, Vector3 direction, float drop)
     {
         float length = Vec.Length(rest);
         float max = Math.Max(Stretch * leg.Reach, length);
@@ -62,7 +73,7 @@ internal readonly record struct StepRange(float Aside, float Ahead)
         while (way < leg.Length)
         {
             Vector3 chord = rest + (direction * (way + step));
-            float taken = Vec.Length(chord);
+            float taken = Vec.Length(chord with { Y = chord.Y + drop });
             chord.Y = 0f;
             float away = Vec.Length(chord);
             bool swept = Vec.Dot(chord, level) < SweepCosine * away * outside;

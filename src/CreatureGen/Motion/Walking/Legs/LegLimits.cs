@@ -39,6 +39,9 @@ internal readonly struct LegLimits
     /// <summary>How far the ankle twists to either side, radians.</summary>
     public readonly float AnkleTwist;
 
+    /// <summary>How far the ankle bends to either side, radians.</summary>
+    public readonly float AnkleAside;
+
     /// <summary>How far the hip draws the leg in towards the middle, and away from it, radians.</summary>
     public readonly float DrawsIn;
     public readonly float DrawsOut;
@@ -55,6 +58,8 @@ internal readonly struct LegLimits
         AnkleFolded = Rotation.Multiply(skeleton.Joints[ankle].LocalRotation, AnkleFold);
         AngleRange twist = skeleton.Joints[ankle].Limit.Twist;
         AnkleTwist = Math.Min(twist.Max, -twist.Min);
+        AngleRange across = skeleton.Joints[ankle].Limit.SwingZ;
+        AnkleAside = Math.Min(across.Max, -across.Min);
         FootShare = linked ? LeastFootShare : Math.Max(LeastFootShare, 1f - (AnkleTwist / FootYaw));
         AngleRange aside = skeleton.Joints[hip].Limit.SwingZ;
         (DrawsIn, DrawsOut) = side == Side.Left ? (aside.Max, -aside.Min) : (-aside.Min, aside.Max);

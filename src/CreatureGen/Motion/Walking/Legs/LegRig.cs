@@ -124,8 +124,6 @@ internal sealed class LegRig
         Skew = Hinge - (across * AcrossSign);
         KneeRest = skeleton.Joints[Knee].LocalRotation;
         limits = new LegLimits(skeleton, Side, Hip, Knee, Ankle, Ball, Traits.Linkage == LegLinkage.Pantograph);
-        LandsIn = AsideRange(limits.DrawsIn * LandingFraction);
-        LandsOut = AsideRange(limits.DrawsOut * LandingFraction);
         Vector3 a = Vec.Reject(upper, Hinge);
         Vector3 b = Vec.Reject(Shank, Hinge);
         float turn = Vec.Dot(Vec.Cross(a, b), Hinge);
@@ -136,6 +134,8 @@ internal sealed class LegRig
         double straightens = BendSign > 0 ? -fold.Min : fold.Max;
         MinBendCosine = PortableMath.Cos(Math.Max(BendRange.Min, bend - straightens));
         parts = new LegSegments(upper, Shank, Hinge, MinBendCosine);
+        LandsIn = AsideRange(limits.DrawsIn * LandingFraction);
+        LandsOut = AsideRange(limits.DrawsOut * LandingFraction);
         double la = Vec.Length(a);
         double lb = Vec.Length(b);
         Reach = (float)Math.Sqrt((la * la) + (lb * lb) + (2 * la * lb * MinBendCosine));
@@ -151,9 +151,9 @@ internal sealed class LegRig
         Trailed = Vec.Normalize(behind, -Vector3.UnitZ) * (TrailedFraction * Reach);
     }
 
-    /// <summary>How far beside its hip the leg brings its foot when it is turned aside, metres.</summary>
+    /// <summary>How far beside its hip the leg brings its foot when it is turned aside, metres: what stays on the ground below it does not lean along.</summary>
     /// <param name="angle">Radians, below a right angle.</param>
-    public float AsideRange(float angle) => HipRest.Y * (float)(PortableMath.Sin(angle) / PortableMath.Cos(angle));
+    public float AsideRange(float angle) => -(parts.Upper + Shank).Y * (float)(PortableMath.Sin(angle) / PortableMath.Cos(angle));
 
     private float WidestOf(IReadOnlyList<CapsuleCollider> bones)
     {

@@ -208,7 +208,7 @@ internal sealed class BodyPlacer
         float swing = act * settings.Walking.Sway;
         float pendulum = settings.Gravity / body.HipHeight / (omega * omega);
         IdlePose idle = shiftRoom.Bound(body, feet, context.Idle, context.Step);
-        float sway = Scalar.ClampSoftly((response.Sway(sums, feet.Length, pendulum) * swing * (1f + (0.8f * (emphasis - 1f)))) + idle.Shift, body.MaxSway);
+        float sway = Scalar.ClampSoftly((response.Sway(sums, feet.Length, pendulum) * swing * (1f + (0.8f * (emphasis - 1f)))) + idle.Shift, body.MaxSwayIn(context.RootVelocity.Turn * clock.Duty / tempo));
         float stance = context.RootVelocity.Speed * clock.Duty / tempo;
         float surge = response.Surge(sums, feet.Length, scale, stance / body.HipHeight, SurgeCap * length) * act;
 
