@@ -59,6 +59,7 @@ internal static class BodyShaper
         ApplyLattice(body, arc, shape.Step, shape.Width, shape.Top, shape.Bottom);
         ApplyDepth(body.Proportions, shape.Width, shape.Top, shape.Bottom);
         Fair(plan, body, shape);
+        InsectWaist.Constrict(plan, body, shape);
         Divide(body.Annuli, shape.Width, shape.Top, shape.Bottom);
         TailShaper.Shape(tail, shape.Step, shape.Width, shape.Top, shape.Bottom);
         SetExponents(shape, plan, stations, head, tail);

@@ -186,6 +186,9 @@ internal sealed record SpeciesProfile
     /// <summary>Rings of its abdomen.</summary>
     public AnnuliBlueprint Annuli { get; init; } = new(41, 0);
 
+    /// <summary>Radius of the stalk between its thorax and its abdomen, in that of the thinner of the two; 1 for none.</summary>
+    public double Waist { get; init; } = 1;
+
     /// <summary>How the edges of a wide body lie back, and between which limits they hang or rise.</summary>
     public (double Sweep, double MinCurl, double MaxCurl) Disc { get; init; }
 

@@ -35,7 +35,7 @@ internal static class Ant
         Frequency = (0.13, 0, 0),
         Signatures = new[] { Signature.None, Signature.BigHead, Signature.BigEyes, Signature.BigTail },
         Eye = (9.4, 7.0), EyeSize = 0.34,
-        Annuli = new AnnuliBlueprint(44, 0.06),
+        Waist = 0.2, Annuli = new AnnuliBlueprint(44, 0.08),
         Legs = new LegPreset
         {
             Sites = InsectParts.Sixth(0.6, -0.05, -0.65),

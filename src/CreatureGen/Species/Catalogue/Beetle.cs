@@ -32,6 +32,7 @@ internal static class Beetle
             (120, -16, 135, 112, 75),   // tail, second third
             (70, -24, 30, 30, 30)),     // tail tip
         TorsoLength = (0.012, 0.05),
+        Waist = 0.5, Annuli = new AnnuliBlueprint(41, 0.08),
         Frequency = (0.13, 0.2, 0),
         Eye = (8.5, 7.2), EyeSize = 0.42,
         Legs = new LegPreset

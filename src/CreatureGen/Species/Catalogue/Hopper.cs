@@ -34,7 +34,7 @@ internal static class Hopper
         TorsoLength = (0.02, 0.045),
         Frequency = (0.13, 0, 0),
         Eye = (9.6, 6.0), EyeSize = 0.50,
-        Annuli = new AnnuliBlueprint(36, 0.05),
+        Waist = 0.78, Annuli = new AnnuliBlueprint(36, 0.05),
         Legs = new LegPreset
         {
             Sites = new[]

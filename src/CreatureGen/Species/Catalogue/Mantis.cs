@@ -35,7 +35,7 @@ internal static class Mantis
         Frequency = (0.13, 0.12, 0),
         Dominance = (0.93, 0.98),
         Eye = (9.6, 7.4), EyeSize = 0.62, EyeSink = 0.55,
-        Annuli = new AnnuliBlueprint(36, 0.05),
+        Waist = 0.72, Annuli = new AnnuliBlueprint(36, 0.05),
         Legs = new LegPreset
         {
             Sites = new[]

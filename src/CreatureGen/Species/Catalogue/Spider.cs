@@ -33,6 +33,7 @@ internal static class Spider
             (160, 28, 20, 20, 20)),     // tail tip
         TorsoLength = (0.01, 0.04),
         Frequency = (0.14, 0, 0),
+        Waist = 0.22, Annuli = new AnnuliBlueprint(41, 0),
         Dominance = (0.93, 0.98),
         HeadSize = (1, 0.3),
         Signatures = new[] { Signature.None, Signature.BigEyes, Signature.BigTail },

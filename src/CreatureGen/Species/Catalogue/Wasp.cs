@@ -36,7 +36,7 @@ internal static class Wasp
         Variety = 0.6, LatticeSpread = 0.2,
         Signatures = new[] { Signature.None, Signature.BigHead, Signature.BigEyes, Signature.BigTail },
         Eye = (8.6, 7.0), EyeSize = 0.70, EyeSink = 0.55,
-        Annuli = new AnnuliBlueprint(41, 0.06),
+        Waist = 0.17, Annuli = new AnnuliBlueprint(41, 0.08),
         Legs = new LegPreset
         {
             Sites = InsectParts.Sixth(0.45, -0.05, -0.6),

@@ -1,0 +1,48 @@
+using System;
+using System.Linq;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
+using CreatureGen.Sampling;
+using CreatureGen.Species;
+using Xunit;
+
+namespace CreatureGen.Tests.Bodies;
+
+public sealed class InsectWaistTests
+{
+    /// <summary>What the rings of an abdomen leave of a waist, as a factor.</summary>
+    private const double Grooved = 1.12;
+
+    /// <summary>In that of the thinner of thorax and abdomen; without it they had a shallow dip.</summary>
+    [Theory]
+    [InlineData(24764035, RequestedKind.Flying)]
+    [InlineData(24764033, RequestedKind.Flying)]
+    [InlineData(24760001, RequestedKind.Flying)]
+    [InlineData(24764008, RequestedKind.Flying)]
+    [InlineData(24764005, RequestedKind.Walking)]
+    public void An_insect_that_is_mixed_with_others_has_the_waist_of_its_kind(ulong seed, RequestedKind kind)
+    {
+        CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = kind });
+        double waist = SpeciesCatalogue.Find(creature.Body.Blend.First).Waist;
+        double stalk = StalkOf(creature);
+        Assert.True(waist < 1 && stalk <= Grooved * waist, FormattableString.Invariant($"{seed}: a stalk of {stalk:0.00}, a {creature.Body.Blend.First} has one of {waist:0.00}"));
+    }
+
+    [Fact]
+    public void Wing_cases_go_on_over_the_waist()
+    {
+        CreatureBlueprint beetle = Enumerable.Range(1, 60).Select(seed => BlueprintSampler.Sample((ulong)seed, Sampling.SpeciesSubject.Only("beetle", RequestedKind.Walking)))
+            .First(creature => creature.Body.Shell.Style == ShellStyle.Elytra);
+        Assert.True(StalkOf(beetle) > 0.9);
+    }
+
+    private static double StalkOf(CreatureBlueprint creature)
+    {
+        BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
+        double Largest(int first, int last) => Enumerable.Range(first, last - first + 1).Max(Size);
+        return Size(StationRing.Loin) / Math.Min(Largest(StationRing.Shoulder, StationRing.Belly), Largest(StationRing.Pelvis, StationRing.TailTip));
+
+        double Size(int ring) => Math.Sqrt(shape.Width[ring] * 0.5 * (shape.Top[ring] + shape.Bottom[ring]));
+    }
+}
