@@ -58,16 +58,22 @@ internal sealed class Flank
         }
     }
 
-    /// <summary>How far a point is off the skin, negative within the body; whether the body is seen there at all.</summary>
+    /// <summary>How far a point is off the skin, negative within the body; whether the body is seen there at all: where not, most of a wing, its slope is not asked for.</summary>
     public bool TryDistance(Vector3 point, out double distance)
     {
         int column = (int)Math.Floor((point.Z - back) / cell);
         int row = (int)Math.Floor((point.Y - bottom) / cell);
         float here = At(row, column);
+        if (!(here > 0f))
+        {
+            distance = 0;
+            return false;
+        }
+
         float high = (At(row + 1, column) - At(row - 1, column)) / (2f * cell);
         float along = (At(row, column + 1) - At(row, column - 1)) / (2f * cell);
         distance = (point.X - here) / Math.Sqrt(1.0 + (high * high) + (along * along));
-        return here > 0f;
+        return true;
     }
 
     /// <summary>Height of the back at a length, metres; infinite where there is no body.</summary>

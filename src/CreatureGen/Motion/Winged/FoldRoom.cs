@@ -155,8 +155,14 @@ internal sealed class FoldRoom
     private double Off(Vector3 point)
     {
         float behind = Math.Max(0f, shoulder - point.Z);
+        float rise = bend * behind * behind;
         bool standing = flank.TryDistance(point, out double distance);
-        bool bent = flank.TryDistance(point - new Vector3(0f, bend * behind * behind, 0f), out double bentDistance);
+        (bool bent, double bentDistance) = (standing, distance);
+        if (rise > 0f)
+        {
+            bent = flank.TryDistance(point - new Vector3(0f, rise, 0f), out bentDistance);
+        }
+
         if (standing || bent)
         {
             return !bent ? distance : standing ? Math.Min(distance, bentDistance) : bentDistance;

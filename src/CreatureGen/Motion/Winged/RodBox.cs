@@ -22,13 +22,13 @@ internal readonly struct RodBox
     public bool MayHold(Vector3 point, bool below) =>
         point.X >= Min.X && point.X <= Max.X && point.Z >= Min.Z && point.Z <= Max.Z && point.Y <= Max.Y && (below || point.Y >= Min.Y);
 
-    /// <summary>How far a point is out of it at the least; negative within.</summary>
+    /// <summary>The square of how far a point is out of it; 0 within.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public float Away(Vector3 point)
+    public float AwaySquared(Vector3 point)
     {
-        float x = Math.Max(Min.X - point.X, point.X - Max.X);
-        float y = Math.Max(Min.Y - point.Y, point.Y - Max.Y);
-        float z = Math.Max(Min.Z - point.Z, point.Z - Max.Z);
-        return Math.Max(x, Math.Max(y, z));
+        float x = Math.Max(0f, Math.Max(Min.X - point.X, point.X - Max.X));
+        float y = Math.Max(0f, Math.Max(Min.Y - point.Y, point.Y - Max.Y));
+        float z = Math.Max(0f, Math.Max(Min.Z - point.Z, point.Z - Max.Z));
+        return (x * x) + (y * y) + (z * z);
     }
 }

@@ -68,5 +68,5 @@ internal sealed class RodRow
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private double Nearer(int rod, Vector3 point, double off) => boxes[rod].Away(point) < off ? Math.Min(off, rods[rod].Distance(point)) : off;
+    private double Nearer(int rod, Vector3 point, double off) => boxes[rod].AwaySquared(point) < off * off ? Math.Min(off, rods[rod].Distance(point)) : off;
 }
