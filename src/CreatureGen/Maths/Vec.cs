@@ -89,8 +89,10 @@ internal static class Vec
     }
 
     /// <summary>The smaller of each component.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3 Min(Vector3 a, Vector3 b) => SimdKernels.Min(a, b);
 
     /// <summary>The larger of each component.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3 Max(Vector3 a, Vector3 b) => SimdKernels.Max(a, b);
 }

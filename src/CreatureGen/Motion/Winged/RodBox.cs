@@ -1,6 +1,6 @@
-using System;
 using System.Numerics;
 using System.Runtime.CompilerServices;
+using CreatureGen.Maths;
 
 namespace CreatureGen.Motion.Winged;
 
@@ -26,9 +26,6 @@ internal readonly struct RodBox
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public float AwaySquared(Vector3 point)
     {
-        float x = Math.Max(0f, Math.Max(Min.X - point.X, point.X - Max.X));
-        float y = Math.Max(0f, Math.Max(Min.Y - point.Y, point.Y - Max.Y));
-        float z = Math.Max(0f, Math.Max(Min.Z - point.Z, point.Z - Max.Z));
-        return (x * x) + (y * y) + (z * z);
+        return Vec.LengthSquared(Vec.Max(Vector3.Zero, Vec.Max(Min - point, point - Max)));
     }
 }
