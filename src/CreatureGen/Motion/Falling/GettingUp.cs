@@ -61,7 +61,7 @@ internal sealed class GettingUp
     private readonly LocalPose to;
     private readonly PoseBuffer shown;
     private readonly LocalPose folded;
-    private readonly Heave heave = new();
+    private readonly TrunkHeave heave;
 
     // Wings whose shortest way leads out of their limits.
     private readonly bool[] goesAround;
@@ -81,6 +81,7 @@ internal sealed class GettingUp
         this.inner = inner;
         rising = legs == null ? null : profile.Lying is LyingManner lying ? new BellyRise(profile, lying, legs) : new CrouchRise(profile, legs);
         drawn = Array.FindAll(profile.Legs, leg => !leg.Lateral && !profile.Swims);
+        heave = new TrunkHeave(profile);
         from = new PoseBuffer(profile.Skeleton);
         to = new LocalPose(profile.Skeleton);
         shown = new PoseBuffer(profile.Skeleton);
@@ -185,7 +186,7 @@ internal sealed class GettingUp
         if (elapsed < gather)
         {
             float part = elapsed / gather;
-            Gather(part, dt, drawn.Length > 0 ? heave.At(part) : 0f, place, settings, ground);
+            Gather(part, dt, drawn.Length > 0 ? heave.At(part) : default, place, settings, ground);
             if (!profile.Swims)
             {
                 GroundClearance.Clear(profile, shown, place, DepthAt(part), settings.Up, ground);
@@ -272,10 +273,8 @@ internal sealed class GettingUp
         for (int i = 0; i <= Heave.Parts; i++)
         {
             float u = (float)i / Heave.Parts;
-            Gather(u, gather / Heave.Parts, 0f, place, settings, ground);
-            float asked = DepthAt(u) - profile.Support.Lowest(BodyPart.Trunk | BodyPart.Limb, place, shown.Model, settings.Up, ground, out _);
-            heave.Ask(i, asked);
-            highest = Math.Max(highest, Math.Max(asked, 0f) + profile.TrunkHeight(shown.Model));
+            Gather(u, gather / Heave.Parts, default, place, settings, ground);
+            highest = Math.Max(highest, heave.Ask(i, (float)PortableMath.Cos(BodyTurn.Between(fromTurn, toTurn, u).Roll), shown, place, DepthAt(u), settings.Up, ground));
         }
 
         heave.Finish();
@@ -289,11 +288,11 @@ internal sealed class GettingUp
     /// <summary>Rolls onto the belly and gathers the legs.</summary>
     /// <param name="u">Part of the time, 0..1.</param>
     /// <param name="dt">Seconds since the last.</param>
-    /// <param name="height">How high its trunk is above the ground on which it would lie, metres of the model.</param>
+    /// <param name="heaved">How its trunk is heaved up from how it would lie.</param>
     /// <param name="place">Where it will stand.</param>
     /// <param name="settings">Up and gravity.</param>
     /// <param name="ground">What it lies on.</param>
-    private void Gather(float u, float dt, float height, in RootPlace place, in MotionSettings settings, IGround ground)
+    private void Gather(float u, float dt, in Heaved heaved, in RootPlace place, in MotionSettings settings, IGround ground)
     {
         for (int j = 0; j < profile.Skeleton.Count; j++)
         {
@@ -306,7 +305,8 @@ internal sealed class GettingUp
 
         SwingTwistLimit.ClampPose(profile.Skeleton, shown.Local);
         int body = profile.Body;
-        BodyTurn.Between(fromTurn, toTurn, u).Set(profile, shown.Local);
+        BodyTurn turn = BodyTurn.Between(fromTurn, toTurn, u);
+        (turn with { Pitch = turn.Pitch - heaved.Pitch }).Set(profile, shown.Local);
         shown.Local.Positions[body] = Vec.Lerp(from.Local.Positions[body], to.Pose.Positions[body], Scalar.Smooth(u));
         shown.Finish();
         if (profile.Swims)
@@ -316,19 +316,25 @@ internal sealed class GettingUp
 
         // Its trunk lies on the ground while its legs are gathered.
         float depth = DepthAt(u);
-        float raised = Scalar.Smooth((u - Raised) / (1f - Raised));
-        GroundClearance.Settle(profile, shown, place, depth, Scalar.Smooth(u * gather / (SettleTime * unit)) * (1f - raised), settings.Up, ground);
-        profile.Raise(shown.Local, height);
+        float home = Scalar.Smooth((u - Raised) / (1f - Raised));
+        GroundClearance.Settle(profile, shown, place, depth, Scalar.Smooth(u * gather / (SettleTime * unit)) * (1f - home), settings.Up, ground);
+        profile.Raise(shown.Local, heaved.Raised);
         shown.Finish();
 
         // Feet come up with a body that heaves itself up over them: stretched after the ground they would lift it higher than it was foreseen.
-        var heaved = new Vector3(0f, height, 0f);
-        foreach (LyingLeg leg in drawn)
+        for (int i = 0; i < profile.Legs.Length; i++)
         {
+            LyingLeg leg = profile.Legs[i];
+            if (leg.Lateral)
+            {
+                continue;
+            }
+
             int ankle = leg.Rig.Ankle;
-            LimbDraw.Apply(profile.Skeleton, leg, from.Model.Positions[ankle] + heaved, ankles[ankle] + heaved, Scalar.Smooth(u / DrawnIn), shown);
+            var raised = new Vector3(0f, heave.IsFore(i) ? heaved.Fore : heaved.Hind, 0f);
+            LimbDraw.Apply(profile.Skeleton, leg, from.Model.Positions[ankle] + raised, ankles[ankle] + raised, Scalar.Smooth(u / DrawnIn), shown);
         }
 
-        LimbFold.Up(profile, profile.Limbs, shown, folded.Pose, FastestLimb * dt / unit, raised, place, depth, settings.Up, ground);
+        LimbFold.Up(profile, profile.Limbs, shown, folded.Pose, FastestLimb * dt / unit, home, place, depth, settings.Up, ground);
     }
 }

@@ -35,6 +35,11 @@ public sealed class KnockedDownTests
     [InlineData(24730013UL)]
     public void Nobody_stands_on_legs_that_it_draws_in(ulong seed) => Assert.InRange(Of(seed).Gathered, 0.3f, 0.9f);
 
+    /// <summary>Fore legs that swing ahead below the chest lift that alone, and the rump stays on the ground: the whole body rose, and hung in the air by .08 to .2 of its extent as the hooves went through below it.</summary>
+    [Theory]
+    [InlineData(24730005UL)]
+    public void Nobody_hangs_in_the_air_over_legs_that_it_draws_in(ulong seed) => Assert.InRange(Of(seed).Hangs, 0f, 0.025f);
+
     /// <summary>Long toes that pointed down held these up: at 1.08 and .95 of a leg.</summary>
     [Theory]
     [InlineData(24730004UL)]
@@ -53,7 +58,8 @@ public sealed class KnockedDownTests
         float stands = Trunk(animator);
         float unit = MathF.Sqrt(9.81f * profile.LegLength);
         animator.Hit(creature.Skeleton.FirstOf(JointRole.Head), Rotation.Rotate(animator.Root.Rotation, -Vector3.UnitX) * (0.8f * unit * creature.Mass.Mass));
-        var fallen = new Fallen(0f, 0f, 0f, 0f);
+        var fallen = new Fallen(0f, 0f, 0f, 0f, 0f);
+        float hangs = 0f;
         var heights = new List<float>();
         for (int i = 0; i < 3000 && (i < 3 || animator.State != BodyState.Supported); i++)
         {
@@ -64,16 +70,17 @@ public sealed class KnockedDownTests
                 int chest = creature.Skeleton.FirstOf(JointRole.Chest);
                 ReadOnlySpan<Vector3> places = animator.ModelPose.Positions;
                 Quaternion turn = Rotation.Multiply(animator.ModelPose.Rotations[pelvis], Rotation.Inverse(creature.Skeleton.ModelRotations[pelvis]));
-                fallen = new Fallen(Rotation.Rotate(turn, Vector3.UnitY).Y, (places[pelvis].Y - places[chest].Y) / profile.LegLength, Trunk(animator) / profile.LegLength, 0f);
+                fallen = new Fallen(Rotation.Rotate(turn, Vector3.UnitY).Y, (places[pelvis].Y - places[chest].Y) / profile.LegLength, Trunk(animator) / profile.LegLength, 0f, 0f);
             }
             else
             {
                 heights.Add(Trunk(animator));
+                hangs = MathF.Max(hangs, animator.State == BodyState.Rising ? GettingUpTests.Lowest(animator) : 0f);
             }
         }
 
         Assert.Equal(BodyState.Supported, animator.State);
-        return fallen with { Gathered = heights.Take(heights.Count / 2).Max() / stands };
+        return fallen with { Gathered = heights.Take(heights.Count / 2).Max() / stands, Hangs = hangs / GettingUpTests.Extent(creature) };
     }
 
     /// <summary>How high the middle of the trunk is above the ground, metres.</summary>
@@ -84,5 +91,6 @@ public sealed class KnockedDownTests
     /// <param name="Rump">How high its pelvis was above its chest, leg lengths.</param>
     /// <param name="Lies">How high the middle of its trunk was, leg lengths.</param>
     /// <param name="Gathered">How high that was at most in the first half of getting up, parts of how high it stands.</param>
-    private readonly record struct Fallen(float BackUp, float Rump, float Lies, float Gathered);
+    /// <param name="Hangs">How high all of its skin was above the ground at most in getting up, parts of its extent.</param>
+    private readonly record struct Fallen(float BackUp, float Rump, float Lies, float Gathered, float Hangs);
 }
