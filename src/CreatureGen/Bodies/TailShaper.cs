@@ -28,7 +28,7 @@ internal static class TailShaper
     // Half thickness of an upright fin and of a fluke at their rear edges, metres, and what a fluke has more before it, in half of its span: a sheet is a thread from the side.
     private const double FinThickness = 0.007;
     private const double FlukeEdge = 0.012;
-    private const double FlukeFlesh = 0.07;
+    private const double FlukeFlesh = 0.085;
 
     /// <summary>Half thickness of a fan of feathers over their quills, metres, and the ring from which on it runs out to an edge: as thick to its end it is sawn off.</summary>
     private const double Quills = 0.017;

@@ -21,15 +21,15 @@ internal static class NailShape
         ReadOnlySpan<Vector2> circle = UnitCircle.Directions(Sides);
         Vector3 up = Vec.Normalize(Vec.Reject(Vector3.UnitY, outward), Vector3.UnitZ);
         Vector3 side = Vec.Cross(up, outward);
-        ReadOnlySpan<float> lifts = stackalloc float[] { -0.35f, 0.20f, 0.48f };
-        ReadOnlySpan<float> widths = stackalloc float[] { 1f, 0.96f, 0.62f };
+        ReadOnlySpan<float> lifts = stackalloc float[] { -0.35f, 0.10f, 0.24f };
+        ReadOnlySpan<float> widths = stackalloc float[] { 1f, 0.94f, 0.62f };
         int first = builder.VertexCount;
         for (int i = 0; i < lifts.Length; i++)
         {
             for (int k = 0; k < Sides; k++)
             {
                 // The first vertex points up: an arch over a straight lower edge.
-                float rise = circle[k].X > 0f ? 1.15f : 0.85f;
+                float rise = circle[k].X > 0f ? 1.3f : 0.85f;
                 Vector3 across = (up * (circle[k].X * rise)) + (side * -circle[k].Y);
                 Vector3 point = position + (across * (radius * widths[i])) + (outward * (radius * lifts[i]));
                 point.Y = Math.Max(point.Y, floor);
@@ -38,7 +38,7 @@ internal static class NailShape
             }
         }
 
-        Vector3 top = position + (outward * (0.56f * radius));
+        Vector3 top = position + (outward * (0.28f * radius));
         top.Y = Math.Max(top.Y, floor);
         int pole = builder.Vertex(top, outward, colour);
         builder.FillBelow(first, Sides);

@@ -62,6 +62,15 @@ public sealed class SmallPartsTests
         Assert.Equal(0f, nail.Positions.Min(p => p.Y), 5);
     }
 
+    /// <summary>By .56 of its half width it was a ball on the toe.</summary>
+    [Fact]
+    public void A_nail_lies_on_its_toe()
+    {
+        var builder = new PieceBuilder();
+        NailShape.Append(builder, Vector3.Zero, Vector3.UnitZ, 1f, -9f, ivory);
+        Assert.InRange(builder.ToPiece(MaterialKind.Skin, PieceChecks.Anywhere).Positions.Max(p => p.Z), 0.15f, 0.35f);
+    }
+
     [Fact]
     public void A_lure_is_a_thin_rod_with_a_small_leaf_that_is_palest_at_its_tip()
     {

@@ -8,10 +8,13 @@ internal static class FlukeTail
     private static readonly MonotoneCurve edge = new(new[] { 0, 0.12, 0.3, 0.5, 0.75, 0.9, 1 }, new[] { -0.16, 0.2, 0.4, 0.5, 0.62, 0.8, 1 });
 
     /// <summary>How far the tips are bent up, in half spans: a level fluke is a thread from the side.</summary>
-    private const double Camber = 0.22;
+    private const double Camber = 0.36;
+
+    /// <summary>Exponent of that bend along a lobe: at 1 lobes are planes in a V, at 2 only their tips turn up.</summary>
+    private const double Arch = 1.5;
 
     /// <summary>How far a lobe is bent up at a share of its half span, in half spans.</summary>
-    public static double RiseAt(double across) => Camber * across * across;
+    public static double RiseAt(double across) => Camber * PortableMath.Pow(across, Arch);
 
     /// <summary>Where the rear edge of a lobe lies at a share of its half span, in sweeps of its tip behind the root; negative ahead of it.</summary>
     public static double EdgeAt(double across) => edge.At(across);
