@@ -25,7 +25,11 @@ internal struct Topple
     /// <summary>Speed to a side that decides to which it falls, √(gℓ).</summary>
     private const float Deciding = 0.05f;
 
+    /// <summary>Part of a blow across the body from which on it decides instead.</summary>
+    private const float Across = 0.2f;
+
     private ToppleManner manner;
+    private bool decided;
     private Vector3 left;
     private Vector3 ahead;
     private Vector3 axis;
@@ -40,19 +44,22 @@ internal struct Topple
     {
         float aside = Vec.Dot(velocity, left) / unit;
         (manner, this.left, this.ahead) = (usual, left, ahead);
+        decided = Math.Abs(aside) > Deciding;
         bool sinks = !usual.Topples || Vec.Length(velocity) < usual.Least * unit;
 
         // To the left its back turns from up to left, about what is behind it.
         axis = sinks ? Vector3.Zero : ahead * (aside > Deciding ? -1f : aside < -Deciding ? 1f : -usual.Side);
     }
 
-    /// <summary>Is struck as it goes limp: who stood topples away from the blow.</summary>
+    /// <summary>Is struck as it goes limp: who did not go to a side topples away from the blow, or to its usual side from one along the body.</summary>
     /// <param name="impulse">World N·s.</param>
     public void Push(Vector3 impulse)
     {
-        if (axis == Vector3.Zero && manner.Topples)
+        if (!decided && manner.Topples)
         {
-            axis = ahead * (Vec.Dot(impulse, left) > 0f ? -1f : 1f);
+            float across = Vec.Dot(impulse, left);
+            float side = Math.Abs(across) < Across * Vec.Length(impulse) ? manner.Side : across;
+            axis = ahead * (side > 0f ? -1f : 1f);
         }
     }
 

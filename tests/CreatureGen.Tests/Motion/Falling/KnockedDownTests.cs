@@ -46,6 +46,37 @@ public sealed class KnockedDownTests
     [InlineData(24730002UL)]
     public void Nobody_lies_on_its_toes(ulong seed) => Assert.InRange(Of(seed).Lies, 0.1f, 0.9f);
 
+    /// <summary>These fell to the side of their seed, against one of the two blows.</summary>
+    [Theory]
+    [InlineData(24730005UL)]
+    [InlineData(24730013UL)]
+    [InlineData(24781017UL)]
+    [InlineData(24781000UL, Explicit = true)]
+    public void Who_is_struck_on_four_legs_as_it_stands_falls_away_from_the_blow(ulong seed)
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        Assert.True(BackAfter(profile, Vector3.UnitX).X > 0.3f, "struck from its right it fell to its right");
+        Assert.True(BackAfter(profile, -Vector3.UnitX).X < -0.3f, "struck from its left it fell to its left");
+    }
+
+    /// <summary>Where the back of a creature points once it has been knocked down from standing.</summary>
+    private static Vector3 BackAfter(MotionProfile profile, Vector3 direction)
+    {
+        Skeleton skeleton = profile.Subject.Skeleton;
+        var animator = new CreatureAnimator(profile);
+        animator.Teleport(RootPlace.Identity, FlatGround.Level);
+        Walkers.Run(animator, 0.5f, 60f, default, FlatGround.Level);
+        animator.Hit(skeleton.FirstOf(JointRole.Head), direction * (0.8f * MathF.Sqrt(9.81f * profile.LegLength) * profile.Subject.Mass.Mass));
+        float lying = 6f * MathF.Sqrt(profile.LegLength / 9.81f);
+        for (float time = 0f; time < lying; time += Frame)
+        {
+            animator.Update(Frame, default, FlatGround.Level);
+        }
+
+        int pelvis = skeleton.FirstOf(JointRole.Pelvis);
+        return Rotation.Rotate(Rotation.Multiply(animator.ModelPose.Rotations[pelvis], Rotation.Inverse(skeleton.ModelRotations[pelvis])), Vector3.UnitY);
+    }
+
     /// <summary>Runs, is knocked down, and goes on as soon as it can.</summary>
     private static Fallen Of(ulong seed)
     {
