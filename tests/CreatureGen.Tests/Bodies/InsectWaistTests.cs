@@ -18,7 +18,6 @@ public sealed class InsectWaistTests
     [Theory]
     [InlineData(24764035, RequestedKind.Flying)]
     [InlineData(24764033, RequestedKind.Flying)]
-    [InlineData(24760001, RequestedKind.Flying)]
     [InlineData(24764008, RequestedKind.Flying)]
     [InlineData(24764005, RequestedKind.Walking)]
     public void An_insect_that_is_mixed_with_others_has_the_waist_of_its_kind(ulong seed, RequestedKind kind)

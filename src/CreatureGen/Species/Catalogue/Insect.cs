@@ -34,7 +34,7 @@ internal static class Insect
         Skull = new SkullShape { Jowl = 0, Stop = 0, Chin = 0 }, LargestEye = 0.85, CompoundEyes = 0.85,
         FlierLegPairs = Weights.Of((3, 0.78), (2, 0.06), (4, 0.07), (5, 0.03), (6, 0.02), (8, 0.02), (0, 0.02)),
         TorsoLength = (0.012, 0.035),
-        Waist = 0.4, Annuli = new AnnuliBlueprint(41, 0.07),
+        Annuli = new AnnuliBlueprint(41, 0.07),
         Frequency = (0.06, 0.08, 0),
         Partners = new[] { "amphibian", "reptile", "avian", "fish" },
         WalkingPlans = Weights.Of((BodyPlan.Hexapod, 1)),

@@ -30,7 +30,7 @@ internal readonly record struct StepRange(float Aside, float Ahead)
     private const float LeanFraction = 0.8f;
 
     /// <summary>What it keeps of that for ground that slants aside, radians: hips of pillars have hardly more.</summary>
-    private const float SlantRoom = 0.06f;
+    private const float SlantRoom = 0.08f;
 
     /// <summary>Part of what its ankle bends to a side by which the leg of a flat foot leans at most: the sole stays on the ground.</summary>
     private const float FlatFraction = 0.65f;
