@@ -29,11 +29,11 @@ internal readonly record struct StepRange(float Aside, float Ahead)
     private const float Lean = 0.29f;
     private const float LeanFraction = 0.8f;
 
-    /// <summary>What it keeps of that for ground that slants aside, radians: hips of pillars have hardly more.</summary>
-    private const float SlantRoom = 0.08f;
+    /// <summary>What it keeps of that for ground that slants aside, radians.</summary>
+    private const float SlantRoom = 0.06f;
 
-    /// <summary>Part of what its ankle bends to a side by which the leg of a flat foot leans at most: the sole stays on the ground.</summary>
-    private const float FlatFraction = 0.65f;
+    /// <summary>Part of what its ankle bends to a side by which a leg leans at most whose ankle carries the foot by itself: the sole stays on the ground.</summary>
+    private const float AnkleFraction = 0.65f;
 
     /// <summary>Least range, and the step in which it is measured, leg lengths.</summary>
     private const float Min = 0.06f;
@@ -55,7 +55,7 @@ internal readonly record struct StepRange(float Aside, float Ahead)
     private static float Leaning(LegRig leg)
     {
         float inward = Math.Abs(leg.HipRest.X) - Math.Abs(leg.Home.X);
-        float lean = leg.FlatFoot ? Math.Min(Lean, FlatFraction * leg.Limits.AnkleAside) : Lean;
+        float lean = leg.Traits.Linkage == LegLinkage.Foot ? Math.Min(Lean, AnkleFraction * leg.Limits.AnkleAside) : Lean;
         float inner = leg.AsideRange(Math.Min(lean, (LeanFraction * leg.Limits.DrawsIn) - SlantRoom)) - inward;
         float outer = leg.AsideRange(Math.Min(lean, (LeanFraction * leg.Limits.DrawsOut) - SlantRoom)) + inward;
         return Math.Min(inner, outer);
