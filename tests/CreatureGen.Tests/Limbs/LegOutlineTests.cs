@@ -46,15 +46,6 @@ public sealed class LegOutlineTests
         Assert.True(archetype is LimbArchetype.Bird or LimbArchetype.UnguligradeFore or LimbArchetype.UnguligradeHind || calf > 1.1 * straight, FormattableString.Invariant($"a calf of {calf}, {straight} without one"));
     }
 
-    /// <summary>It was 1.82 times as broad, a skirt.</summary>
-    [Fact]
-    public void The_sole_of_a_pillar_is_no_skirt_around_its_shank()
-    {
-        LegOutline outline = LegKinds.Of(LimbArchetype.Column).Outline;
-        double broader = (double)outline.Rows[^1].SideRadius / outline.Rows[outline.AnkleRow].SideRadius;
-        Assert.True(broader < 1.65, FormattableString.Invariant($"{broader:0.00} times as broad"));
-    }
-
     [Theory]
     [InlineData(LimbArchetype.Theropod)]
     [InlineData(LimbArchetype.Bird)]

@@ -20,9 +20,9 @@ internal static class ColumnLeg
                 new() { Forward = 40, Down = 220, Outward = 50, ForeRadius = 960, SideRadius = 850, SideOffset = -110 },
                 new() { Forward = 75, Down = 450, Outward = 50, ForeRadius = 610, SideRadius = 490, ForeOffset = -30, SideOffset = -20 },
                 new() { Forward = 10, Down = 660, Outward = 35, ForeRadius = 490, SideRadius = 470 },
-                new() { Forward = -10, Down = 830, Outward = 30, ForeRadius = 360, SideRadius = 350 },
-                new() { Forward = 15, Down = 945, Outward = 30, ForeRadius = 475, SideRadius = 480 },
-                new() { Forward = 25, Down = 1000, Outward = 30, ForeRadius = 555, SideRadius = 565 },
+                new() { Forward = -10, Down = 830, Outward = 30, ForeRadius = 345, SideRadius = 335 },
+                new() { Forward = 15, Down = 945, Outward = 30, ForeRadius = 420, SideRadius = 440 },
+                new() { Forward = 25, Down = 1000, Outward = 30, ForeRadius = 595, SideRadius = 610 },
             },
         },
         build: new LegBuild(LimbPosture.Under)

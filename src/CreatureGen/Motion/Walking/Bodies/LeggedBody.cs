@@ -67,9 +67,11 @@ internal sealed class LeggedBody
         HindHips = Array.Find(Legs, leg => leg.Row == 0)!.HipRest with { X = 0f };
         ForeHips = Array.Find(Legs, leg => leg.Row == Rows - 1)!.HipRest with { X = 0f };
         StepRanges = new StepRange[Legs.Length];
+        WidestSteps = new StepRange[Legs.Length];
         for (int i = 0; i < Legs.Length; i++)
         {
-            StepRanges[i] = StepRange.Of(Legs[i], GoingHomes[i]);
+            StepRanges[i] = StepRange.Of(Legs[i], GoingHomes[i], 0f);
+            WidestSteps[i] = StepRange.Of(Legs[i], GoingHomes[i], StepRange.Drop);
             FarthestFoot = Math.Max(FarthestFoot, Vec.Length(GoingHomes[i]));
             Middle += Legs[i].Home / Legs.Length;
         }
@@ -137,6 +139,9 @@ internal sealed class LeggedBody
 
     /// <summary>How far each foot can go from there.</summary>
     public StepRange[] StepRanges { get; }
+
+    /// <summary>The same of steps over which the body comes down: in turns steps come quicker first, and then are as wide.</summary>
+    public StepRange[] WidestSteps { get; }
 
     /// <summary>Distance of the farthest of these places from the root, about which the body turns, metres.</summary>
     public float FarthestFoot { get; }

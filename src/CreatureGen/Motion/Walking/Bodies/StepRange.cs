@@ -12,8 +12,8 @@ internal readonly record struct StepRange(float Aside, float Ahead)
     /// <summary>Part of its reach that a leg takes up at most, unless it stands stretched farther.</summary>
     private const float Stretch = 0.97f;
 
-    /// <summary>How far a body comes down over legs below it that step wide, leg lengths: legs that stand nearly straight would not step at all otherwise.</summary>
-    private const float Drop = 0.08f;
+    /// <summary>How far a body comes down over legs below it that step as wide as they can, leg lengths: legs that stand nearly straight hardly step otherwise.</summary>
+    public const float Drop = 0.08f;
 
     /// <summary>Length to which it is folded at most, of its folded reach and of its length at rest; unless it stands folded farther.</summary>
     private const float FoldedFraction = 1.05f;
@@ -42,11 +42,12 @@ internal readonly record struct StepRange(float Aside, float Ahead)
     /// <summary>Measures a leg.</summary>
     /// <param name="leg">At rest.</param>
     /// <param name="home">Where its foot belongs under a body that goes, model space.</param>
-    public static StepRange Of(LegRig leg, Vector3 home)
+    /// <param name="drop">How far the body comes down over a leg below it that steps aside, leg lengths.</param>
+    public static StepRange Of(LegRig leg, Vector3 home, float drop)
     {
         Vector3 chord = leg.Thigh + leg.Shank + (leg.Traits.Linkage == LegLinkage.Pantograph ? leg.Metatarsus : Vector3.Zero) + (home - leg.Home);
-        float drop = leg.Lateral ? 0f : Drop * leg.Length;
-        float aside = Math.Min(Way(leg, chord, Vector3.UnitX, drop), Way(leg, chord, -Vector3.UnitX, drop));
+        float lower = leg.Lateral ? 0f : drop * leg.Length;
+        float aside = Math.Min(Way(leg, chord, Vector3.UnitX, lower), Way(leg, chord, -Vector3.UnitX, lower));
         float ahead = Math.Min(Way(leg, chord, Vector3.UnitZ, 0f), Way(leg, chord, -Vector3.UnitZ, 0f));
         return new StepRange(leg.Lateral ? aside : Math.Min(aside, Math.Max(Leaning(leg), Min * leg.Length)), ahead);
     }

@@ -221,7 +221,7 @@ internal sealed class GaitClock
         float straight = Math.Max(own + frequencyRest, SlowestFraction * own) / stride;
         float yaw = Math.Abs(velocity.Turn) * (1f - (0.5f * pace));
         float spot = Math.Min(yaw / YawPerCycle, Math.Max(quickest, yaw / WidestYawPerCycle));
-        float needed = Math.Max(Math.Max(straight, spot), Math.Min(FrequencyInTurn(velocity.Speed, velocity.Sideways, velocity.Turn, straight, Duty), haste * quickest));
+        float needed = Math.Max(Math.Max(straight, spot), Math.Min(FrequencyInTurn(body.StepRanges, velocity.Speed, velocity.Sideways, velocity.Turn, straight, Duty), haste * quickest));
         bool halts = velocity.IsToStand || velocity.TurnsBack;
         float fall = halts ? TempoFall : TempoFallOfGoing;
         float kept = halts || isKept ? Frequency - (fall * gravity / body.LegLength * dt) : 0f;
@@ -289,7 +289,7 @@ internal sealed class GaitClock
         float straight = GaitSet.FrequencyOf(Gait, froude, body.LegLength, gravity, longest.Level, quickest);
         for (int i = 0; i < TurnTrials; i++)
         {
-            float needed = FrequencyInTurn(speed, 0f, turn, straight, DutyInTurn(Gait, froude, turn, unit));
+            float needed = FrequencyInTurn(body.WidestSteps, speed, 0f, turn, straight, DutyInTurn(Gait, froude, turn, unit));
             float max = Math.Max(quickest, straight);
             if (needed <= max)
             {
@@ -320,7 +320,7 @@ internal sealed class GaitClock
     }
 
     /// <summary>Cycles per second at which no foot goes farther in a stance than it can.</summary>
-    private float FrequencyInTurn(float speed, float sideways, float turn, float straight, float duty)
+    private float FrequencyInTurn(StepRange[] ranges, float speed, float sideways, float turn, float straight, float duty)
     {
         if (turn == 0f && sideways == 0f)
         {
@@ -329,9 +329,9 @@ internal sealed class GaitClock
 
         float half = 0.5f * Math.Abs(speed) * duty / straight;
         float max = 0f;
-        for (int i = 0; i < body.StepRanges.Length; i++)
+        for (int i = 0; i < ranges.Length; i++)
         {
-            StepRange range = body.StepRanges[i];
+            StepRange range = ranges[i];
             Vector3 home = body.GoingHomes[i];
             float aside = (sideways + (turn * home.Z)) / range.Aside;
             float along = (speed - (turn * home.X)) / Math.Max(range.Ahead, half);
