@@ -10,7 +10,7 @@ namespace CreatureGen.Bodies;
 internal static class InsectWaist
 {
     /// <summary>Rings before and behind the loin over which the body goes over into its waist: a foot of the thorax stands before them.</summary>
-    private const double Reach = 4;
+    private const int Reach = 4;
 
     /// <summary>Draws the body in at its loin until it is as thin as its first species asks for.</summary>
     public static void Constrict(BodyPlan plan, BodyBlueprint body, BodyShape shape)
@@ -23,9 +23,9 @@ internal static class InsectWaist
 
         double thinner = wanted * Math.Min(Largest(shape, StationRing.Shoulder, StationRing.Belly), Largest(shape, StationRing.Pelvis, StationRing.TailTip));
         double factor = Math.Min(1, thinner / Size(shape, StationRing.Loin));
-        for (int ring = StationRing.Loin - (int)Reach; ring <= StationRing.Loin + (int)Reach; ring++)
+        for (int ring = StationRing.Loin - Reach; ring <= StationRing.Loin + Reach; ring++)
         {
-            double here = Scalar.Lerp(factor, 1, Scalar.Smooth(Math.Abs(ring - StationRing.Loin) / Reach));
+            double here = Scalar.Lerp(factor, 1, Scalar.Smooth(Math.Abs(ring - StationRing.Loin) / (double)Reach));
             shape.Width[ring] *= here;
             shape.Top[ring] *= here;
             shape.Bottom[ring] *= here;

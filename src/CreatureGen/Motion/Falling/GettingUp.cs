@@ -52,7 +52,7 @@ internal sealed class GettingUp
     private readonly FallProfile profile;
     private readonly ILocomotionMode inner;
     private readonly IRise? rising;
-    private readonly LyingLeg[] drawn;
+    private readonly bool draws;
     private readonly Vector3[] ankles;
     private readonly Vector3[] standing;
     private readonly LocalPose last;
@@ -80,7 +80,7 @@ internal sealed class GettingUp
         this.profile = profile;
         this.inner = inner;
         rising = legs == null ? null : profile.Lying is LyingManner lying ? new BellyRise(profile, lying, legs) : new CrouchRise(profile, legs);
-        drawn = Array.FindAll(profile.Legs, leg => !leg.Lateral && !profile.Swims);
+        draws = !profile.Swims && Array.Exists(profile.Legs, leg => !leg.Lateral);
         heave = new TrunkHeave(profile);
         from = new PoseBuffer(profile.Skeleton);
         to = new LocalPose(profile.Skeleton);
@@ -104,7 +104,7 @@ internal sealed class GettingUp
         limp.Show(place, 0f, settings, ground, from.Local);
         from.Finish();
         Prepare(float.MinValue, place, settings, ground, layer);
-        if (drawn.Length == 0)
+        if (!draws)
         {
             return;
         }
@@ -186,7 +186,7 @@ internal sealed class GettingUp
         if (elapsed < gather)
         {
             float part = elapsed / gather;
-            Gather(part, dt, drawn.Length > 0 ? heave.At(part) : default, place, settings, ground);
+            Gather(part, dt, draws ? heave.At(part) : default, place, settings, ground);
             if (!profile.Swims)
             {
                 GroundClearance.Clear(profile, shown, place, DepthAt(part), settings.Up, ground);

@@ -38,6 +38,7 @@ internal sealed class TrunkHeave
     }
 
     /// <summary>Whether a leg hangs on the fore end.</summary>
+    /// <param name="leg">Its number among the legs, which are the first of the limbs.</param>
     public bool IsFore(int leg) => isFore[leg];
 
     /// <summary>Tells what a moment asks for.</summary>

@@ -32,7 +32,7 @@ internal static class Bee
             (130, 24, 132, 122, 124),  // tail, second third
             (90, 30, 10, 10, 10)),     // tail tip
         Cover = SkinCover.Fur, CoverSize = 0.022f,
-        Waist = 0.26, Annuli = new AnnuliBlueprint(41, 0.07),
+        Waist = 0.26,
         TorsoLength = (0.01, 0.02),
         Frequency = (0, 0.24, 0),
         Eye = (8.8, 6.6), EyeSize = 0.50, EyeSink = 0.55,

@@ -34,7 +34,7 @@ internal static class Butterfly
         TorsoLength = (0.014, 0.03),
         Frequency = (0, 0.42, 0),
         Eye = (8.8, 7.0), EyeSize = 0.74, EyeSink = 0.55,
-        Waist = 1, Annuli = new AnnuliBlueprint(41, 0.05),
+        Annuli = new AnnuliBlueprint(41, 0.05),
         Legs = new LegPreset { Sites = InsectParts.Sixth(0.45, -0.05, -0.6), Reach = (0.18, 0.22), Height = (0.16, 0.22), Thickness = 0.024 },
         Wings = new ThinWings { Spread = new[]
             {

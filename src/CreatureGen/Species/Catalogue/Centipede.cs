@@ -38,7 +38,7 @@ internal static class Centipede
         Dominance = (0.93, 0.98),
         WalkingPlans = new[] { new Weighted<BodyPlan>(BodyPlan.ManyLegged, 1) },
         Eye = (8.8, 6.2), EyeSize = 0.30,
-        Waist = 1, Annuli = new AnnuliBlueprint(17, 0.07),
+        Annuli = new AnnuliBlueprint(17, 0.07),
         Legs = new LegPreset { Sites = row.Sites(12), Row = row, Reach = (0.15, 0.18), Height = (0.05, 0.08), Thickness = 0.035, KneeRise = 0.7 },
         Parts = new[]
         {

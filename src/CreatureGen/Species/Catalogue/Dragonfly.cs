@@ -32,7 +32,7 @@ internal static class Dragonfly
             (240, 0, 48, 40, 40),      // tail, second third
             (100, 0, 14, 10, 10)),     // tail tip
         TorsoLength = (0.03, 0.06),
-        Waist = 1, Annuli = new AnnuliBlueprint(41, 0.05),
+        Annuli = new AnnuliBlueprint(41, 0.05),
         Frequency = (0, 0.36, 0),
         Eye = (9.6, 5.4), EyeSize = 0.80, EyeSink = 0.55,
         Legs = new LegPreset

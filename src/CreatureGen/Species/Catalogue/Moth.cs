@@ -32,7 +32,7 @@ internal static class Moth
             (100, 8, 62, 60, 60),     // tail, second third
             (70, 8, 12, 12, 12)),     // tail tip
         Cover = SkinCover.Fur, CoverSize = 0.022f,
-        Waist = 1, Annuli = new AnnuliBlueprint(41, 0.05),
+        Annuli = new AnnuliBlueprint(41, 0.05),
         TorsoLength = (0.015, 0.04),
         Frequency = (0, 0.26, 0),
         Eye = (8.8, 6.6), EyeSize = 0.58, EyeSink = 0.55,

@@ -166,32 +166,39 @@ export async function checkHands({ claim, require, page }) {
       await library.call('Place', 30, -1.6 * unit, 0, -0.8 * unit, 0);
       const other = await herd.settle(30, JSON.parse(await library.call('Grow', 30, '3', 'walking', 0, '', '')));
       other.name = 'Somebody';
-      await frame.touch.learn();
       await frame.theatre.portrait(4);
       const live = async count => { for (let i = 0; i < count; i++) { await frame.theatre.advance(1 / 30); } };
       const onScreen = place => { const at = place.clone().project(orbit.camera); return [((at.x + 1) / 2) * innerWidth, ((1 - at.y) / 2) * innerHeight]; };
-      const point = (type, x, y, id = 9) => canvas.dispatchEvent(new PointerEvent(type, { pointerId: id, clientX: x, clientY: y, pointerType: 'mouse', bubbles: true }));
+      // Strokes and double clicks are told by their times: a clock of its own, that a machine with much to do does not hold up.
+      let clock = performance.now();
+      const point = (type, x, y, id = 9) => {
+        const event = new PointerEvent(type, { pointerId: id, clientX: x, clientY: y, pointerType: 'mouse', bubbles: true });
+        clock += 8;
+        Object.defineProperty(event, 'timeStamp', { value: clock });
+        canvas.dispatchEvent(event);
+      };
       const click = (x, y) => { point('pointerdown', x, y); point('pointerup', x, y); };
       const heard = [];
       for (const name of ['pet', 'send', 'pick', 'push']) {
         frame.pointer.addEventListener(name, () => heard.push(name));
       }
 
-      // Where the chosen creature is under the pointer.
-      let body = null;
-      const listen = ({ detail }) => { if (detail) { body ??= detail; } };
-      frame.pointer.addEventListener('hover', listen);
-      const middle = onScreen(frame.lab.focus());
-      let [x, y] = middle;
-      for (const [aside, up] of [0, 20, -20, 45, -45, 70, -70].flatMap(aside => [0, 20, -20, 45].map(up => [aside, up]))) {
-        [x, y] = [middle[0] + aside, middle[1] - up];
-        point('pointermove', x, y);
-        if (body) {
-          break;
-        }
-      }
-      frame.pointer.removeEventListener('hover', listen);
-      click(x, y);
+      // Where the chosen creature is under the pointer, at a moment in which nothing moves.
+      const onBody = async () => {
+        await frame.theatre.portrait(1);
+        await frame.touch.learn();
+        let felt = false;
+        const listen = ({ detail }) => { felt = detail !== null; };
+        frame.pointer.addEventListener('hover', listen);
+        const middle = onScreen(frame.lab.focus());
+        const found = [0, 20, -20, 45, -45, 70, -70].flatMap(aside => [0, 20, -20, 45].map(up => [middle[0] + aside, middle[1] - up])).find(place => {
+          point('pointermove', ...place);
+          return felt;
+        });
+        frame.pointer.removeEventListener('hover', listen);
+        return found ?? middle;
+      };
+      click(...await onBody());
 
       // The other one, beside what of the chosen one is before it.
       for (const up of [0.45, 0.2, 0.7, 0.95]) {
@@ -230,9 +237,7 @@ export async function checkHands({ claim, require, page }) {
       const zoomed = orbit.wantedDistance / wantedDistance;
 
       // A stroke over the body pushes it.
-      await frame.touch.learn();
-      await frame.theatre.portrait(1);
-      const [bodyX, bodyY] = onScreen(frame.lab.focus());
+      const [bodyX, bodyY] = await onBody();
       point('pointerdown', bodyX, bodyY);
       point('pointermove', bodyX + 120, bodyY);
       point('pointerup', bodyX + 120, bodyY);

@@ -319,7 +319,7 @@ internal sealed class GaitClock
         return speed == 0f ? turn : Math.Min(turn, bounds.Aside / Math.Abs(speed));
     }
 
-    /// <summary>Cycles per second at which no foot goes farther in a stance than it can.</summary>
+    /// <summary>Cycles per second at which no foot goes farther in a stance than its range.</summary>
     private float FrequencyInTurn(StepRange[] ranges, float speed, float sideways, float turn, float straight, float duty)
     {
         if (turn == 0f && sideways == 0f)
