@@ -125,7 +125,7 @@ internal sealed class PaddlePose
             Pelvis = profile.Middle + Rotation.Rotate(AxisRotation.Pitch(pitch), rest) + new Vector3(0f, Heave * body.LegLength * stroke.Width * twice, 0f),
             PelvisPitch = pitch,
             PelvisRoll = Roll * stroke.Width * (float)sine,
-            BendYaw = swims * Scalar.Clamp((TurnBend * stroke.Steer) + (body.Sprawls ? TrunkPart * profile.Undulation * stroke.Width * (float)sine : 0f), -body.MaxBendYaw, body.MaxBendYaw),
+            BendYaw = swims * Scalar.Clamp((TurnBend * stroke.Steer) + (body.Sprawls ? TrunkPart * profile.Undulation * stroke.Width * (float)sine : 0f), -body.Bends.Yaw, body.Bends.Yaw),
         };
         placer.Trunk.Flex(plan);
         placer.Trunk.Apply(plan, null);

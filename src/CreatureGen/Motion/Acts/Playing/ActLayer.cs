@@ -254,7 +254,7 @@ internal sealed class ActLayer
 
     private void LayWingsAlongBack(float[] values, in Pose local)
     {
-        float max = body.Legs!.MaxBendPitch;
+        float max = body.Legs!.Bends.Pitch;
         float folded = 1f - Scalar.Clamp(values[(int)ActChannel.Wings], 0f, 1f);
         Quaternion turn = AxisRotation.Pitch(WingsAlongChord * folded * Scalar.Clamp(values[(int)ActChannel.BackPitch], -max, max));
         foreach (int wing in body.Wings)

@@ -14,13 +14,7 @@ namespace CreatureGen.Motion.Walking.Bodies;
 /// <summary>A creature that stands on legs, as its walk needs it. Immutable, shared between all its animators.</summary>
 internal sealed class LeggedBody
 {
-    /// <summary>Part of the joints' limits that bends to a side take up: the rest is for pitch and roll.</summary>
-    private const float BendFraction = 0.95f;
-
-    /// <summary>Part of these that bends up and down take up: the rest is for the bends to a side that go with them.</summary>
-    private const float PitchBendFraction = 0.75f;
-
-    /// <summary>Part of these that turns of a neck to a side take up: as much is left for its nods.</summary>
+    /// <summary>Part of the joints' limits that turns of a neck to a side take up: as much is left for its nods.</summary>
     private const float TurnFraction = 0.7f;
 
     /// <summary>How far a body rolls with the ground at most, radians.</summary>
@@ -102,7 +96,7 @@ internal sealed class LeggedBody
         Posture = StandingPosture.Of(subject);
         Span = TrunkSpan.Of(Legs, GoingHomes, Rows, Skeleton.ModelPositions[Trunk[0]], Skeleton.ModelPositions[Trunk[ForeSlot]], TrunkLength);
         Neck = ChainOf(Skeleton, JointRole.Neck, JointRole.Head);
-        NeckLimits = Array.ConvertAll(Neck, joint => BendFraction * Math.Min(-Skeleton.Joints[joint].Limit.SwingX.Min, Skeleton.Joints[joint].Limit.SwingX.Max));
+        NeckLimits = Array.ConvertAll(Neck, joint => TrunkBends.Fraction * Math.Min(-Skeleton.Joints[joint].Limit.SwingX.Min, Skeleton.Joints[joint].Limit.SwingX.Max));
         NeckTurns = Array.ConvertAll(Neck, joint => TurnFraction * NarrowestSwing(Skeleton.Joints[joint].Limit));
         Tail = ChainOf(Skeleton, JointRole.Tail);
         TailLimits = Array.ConvertAll(Tail, joint => NarrowestSwing(Skeleton.Joints[joint].Limit));
@@ -115,9 +109,7 @@ internal sealed class LeggedBody
         Body = Skeleton.FirstOf(JointRole.Body);
         MaxRoll = IsBiped ? 0f : MaxRollOf(Legs);
         MaxSway = MaxSwayOf(Legs);
-        MaxBendYaw = MaxBend(Skeleton, Trunk, ForeSlot, limit => limit.SwingZ);
-        MaxBendPitch = PitchBendFraction * MaxBend(Skeleton, Trunk, ForeSlot, limit => limit.SwingX);
-        MaxBendRoll = MaxBend(Skeleton, Trunk, ForeSlot, limit => limit.Twist);
+        Bends = new TrunkBends(Skeleton, Trunk, ForeSlot);
         Turns = new RestRotations(Skeleton);
         TrunkRest = Array.ConvertAll(Trunk, joint => Skeleton.ModelPositions[joint]);
         Hops = Rows == 1 && subject.Plan == BodyPlan.Upright && LongFeet() && TailLength() > 0.8f * LegLength;
@@ -161,14 +153,8 @@ internal sealed class LeggedBody
     /// <summary>The trunk joint that carries the foremost legs, as a place in <see cref="Trunk"/>; of bipeds the chest.</summary>
     public int ForeSlot { get; }
 
-    /// <summary>How far the trunk bends to a side from the pelvis to the fore legs' joint, radians.</summary>
-    public float MaxBendYaw { get; }
-
-    /// <summary>How far the trunk rounds or hollows its back from the pelvis to the fore legs' joint, radians.</summary>
-    public float MaxBendPitch { get; }
-
-    /// <summary>How far the trunk twists about its length from the pelvis to the fore legs' joint, radians.</summary>
-    public float MaxBendRoll { get; }
+    /// <summary>How far the trunk bends.</summary>
+    public TrunkBends Bends { get; }
 
     /// <summary>How far it rolls with the ground to a side, radians: less on hips that do not draw their legs in far, and not at all on two legs.</summary>
     public float MaxRoll { get; }
@@ -339,19 +325,6 @@ internal sealed class LeggedBody
 
     /// <summary>How far a joint swings to its narrowest side, radians.</summary>
     private static float NarrowestSwing(JointLimit limit) => Math.Min(Math.Min(-limit.SwingX.Min, limit.SwingX.Max), Math.Min(-limit.SwingZ.Min, limit.SwingZ.Max));
-
-    /// <summary>The stiffest joint decides: all bend alike.</summary>
-    private static float MaxBend(Skeleton skeleton, int[] trunk, int foreSlot, Func<JointLimit, AngleRange> axis)
-    {
-        float min = float.MaxValue;
-        for (int i = 1; i <= foreSlot && i < trunk.Length; i++)
-        {
-            AngleRange side = axis(skeleton.Joints[trunk[i]].Limit);
-            min = Math.Min(min, Math.Min(-side.Min, side.Max));
-        }
-
-        return min == float.MaxValue ? 0f : BendFraction * min * foreSlot;
-    }
 
     /// <summary>The joints of some roles, in the skeleton's order.</summary>
     private static int[] ChainOf(Skeleton skeleton, params JointRole[] roles)

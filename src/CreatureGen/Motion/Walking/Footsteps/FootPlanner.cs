@@ -120,7 +120,8 @@ internal sealed partial class FootPlanner
             float ahead = step.Moving ? StepPhase.ToMidstance(flight, duty, cycle) : flight;
             foot.Plan.Steps = false;
             foot.Plan.AsNear &= !step.Moving && step.RootVelocity.IsToStand;
-            if (FootRelease.IsDue(ref foot, body, body.Legs[i], step, onward) && (step.Moving || Wants(i, step, ahead, flight)))
+            bool dragged = foot.Plan.Shift != 0f && FootRelease.IsDragged(foot, body.Legs[i]);
+            if (FootRelease.IsDue(ref foot, body, body.Legs[i], step, onward) && (step.Moving || dragged || Wants(i, step, ahead, flight)))
             {
                 Release(i, step, (1f - duty) * cycle);
             }

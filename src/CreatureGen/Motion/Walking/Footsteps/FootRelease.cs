@@ -55,10 +55,9 @@ internal static class FootRelease
         float reached = Vec.Length(chord + lowered);
         bool late = foot.Stance > LateStance || !step.Moving;
         bool grows = reached > foot.Plan.Reached;
-        float slides = foot.Leg.Residual - foot.Plan.Missed;
+        bool torn = IsDragged(foot, leg);
         foot.Plan.Reached = reached;
         foot.Plan.Missed = foot.Leg.Residual;
-        bool torn = slides > 0f && foot.Leg.Residual + slides > MaxMiss * leg.Length;
         Vector3 change = Change(foot, step, onward, place);
         Vector3 then = chord + lowered + change;
         if (torn || WillMiss(foot, body, leg, step, then, change, late) > MaxMiss * leg.Length)
@@ -69,6 +68,13 @@ internal static class FootRelease
         float drop = LegRoom.Asked(leg, chord, Vec.Length(chord)) / leg.Length;
         return drop > (late ? LateDrop : MaxDrop)
             || (grows && ((!late && drop > MaxGrowingDrop) || reached > Math.Max(leg.Lateral ? LateralStretch : MaxStretch, leg.RestStretch + BeyondRest) * leg.Reach));
+    }
+
+    /// <summary>Whether a foot is drawn farther and farther off its place, to where it will be too far from it when it is decided on again.</summary>
+    public static bool IsDragged(in Foot foot, LegRig leg)
+    {
+        float slides = foot.Leg.Residual - foot.Plan.Missed;
+        return slides > 0f && foot.Leg.Residual + slides > MaxMiss * leg.Length;
     }
 
     /// <summary>How far a foot will be off its place when it is decided on again, metres.</summary>

@@ -241,7 +241,7 @@ internal sealed class BodyPlacer
         Effort effort = Effort.Of(body, context.Acceleration / settings.Gravity, Climb);
         NeckReach = effort.Neck;
         float tuck = body.IsBiped ? 0f : traits.Flexion * effort.Tuck * spine;
-        float flexion = Scalar.Clamp((((supple * Scalar.Clamp(gather, -1f, 1f)) + arch) * act * spine) + tuck, -body.MaxBendPitch, body.MaxBendPitch);
+        float flexion = Scalar.Clamp((((supple * Scalar.Clamp(gather, -1f, 1f)) + arch) * act * spine) + tuck, -body.Bends.Pitch, body.Bends.Pitch);
         Flexion = flexion;
         float bank = Balance * traits.Bank * settings.Walking.Bank;
         float inward = body.Legs[0].Lateral ? 0f : (body.IsBiped ? BipedInwardFraction : traits.Inward) * body.HipHeight * bank;
@@ -262,12 +262,12 @@ internal sealed class BodyPlacer
             PelvisYaw = pelvisYaw,
             PelvisPitch = (lean < 0f ? Math.Min(lean, -raised) : lean - raised) - (0.5f * flexion) - (body.IsBiped ? Rock : 0f),
             PelvisRoll = pelvisRoll - bank + slope,
-            BendYaw = Scalar.Clamp(chestYaw - pelvisYaw, -body.MaxBendYaw, body.MaxBendYaw),
+            BendYaw = chestYaw - pelvisYaw,
             BendPitch = flexion,
             BendRoll = chestRoll - pelvisRoll,
             ChestPitch = -0.3f * lean,
         };
-        plan.Add(layer, body, ref foreRise);
+        plan.Add(layer, body.Bends, ref foreRise);
         Vector3 between = Trunk.Flex(plan);
         Settle(plan, layer, between, rest.Y, foreRise, 0f, 0f);
         MakeRoom(layer, feet, poses, context.Step, out float hindDrop, out float foreDrop);

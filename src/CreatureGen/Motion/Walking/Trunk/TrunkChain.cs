@@ -26,19 +26,20 @@ internal struct TrunkPlan
     /// <summary>Turn of the chest of bipeds about the left axis, on top.</summary>
     public float ChestPitch;
 
-    /// <summary>Adds what an act asks of hips and back, as far as the back bends.</summary>
-    public void Add(BodyLayer? layer, LeggedBody body, ref float foreRise)
+    /// <summary>Adds what an act asks of hips and back, as far as the trunk bends.</summary>
+    public void Add(BodyLayer? layer, TrunkBends bends, ref float foreRise)
     {
-        if (layer == null)
+        var asked = new Vector3(BendPitch, BendYaw, BendRoll);
+        if (layer != null)
         {
-            return;
+            foreRise -= layer.ForeDown;
+            Pelvis.Y -= layer.HindDown;
+            asked += new Vector3(-layer.BackPitch, layer.BackSide, layer.BackTwist);
         }
 
-        foreRise -= layer.ForeDown;
-        Pelvis.Y -= layer.HindDown;
-        BendPitch = Scalar.Clamp(BendPitch - layer.BackPitch, -body.MaxBendPitch, body.MaxBendPitch);
-        BendYaw = Scalar.Clamp(BendYaw + layer.BackSide, -body.MaxBendYaw, body.MaxBendYaw);
-        BendRoll = Scalar.Clamp(BendRoll + layer.BackTwist, -body.MaxBendRoll, body.MaxBendRoll);
+        var most = new Vector3(bends.Pitch, bends.Yaw, bends.Roll);
+        Vector3 bend = bends.Within(Vector3.Clamp(asked, -most, most));
+        (BendPitch, BendYaw, BendRoll) = (bend.X, bend.Y, bend.Z);
     }
 }
 

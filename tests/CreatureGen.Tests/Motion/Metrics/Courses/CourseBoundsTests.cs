@@ -121,9 +121,10 @@ public sealed class CourseBoundsTests
     /// <summary>
     /// Feet of claws were turned about the middle of their soles with their legs (.007), toes of a grasshopper were not in the outline on which its feet roll (.023), hips of a bird came to their end between two decisions (.056),
     /// a sprawler came to rest on stairs on a foot that its leg did not reach (.031), and feet of fliers that legs on the ground did not reach down to were drawn along the ground as these came nearer (.011 and .006);
-    /// those that had come to rest under a body on many legs were dragged for seconds by one that crept on, more slowly than counts as going (.100).
+    /// those that had come to rest under a body on many legs were dragged for seconds by one that crept on, more slowly than counts as going (.100), and those of a bird that rested on stairs behind its hips, where their soles had room, as it stood up (.121).
     /// </summary>
     [Theory]
+    [InlineData(RequestedKind.Flying, 24780046UL, "runner", 0.01f)]
     [InlineData(RequestedKind.Flying, 24552057UL, "keys", 0.005f)]
     [InlineData(RequestedKind.Flying, 24710029UL, "spin", 0.003f)]
     [InlineData(RequestedKind.Walking, 24700080UL, "straight", 0.01f)]
@@ -132,6 +133,15 @@ public sealed class CourseBoundsTests
     [InlineData(RequestedKind.Flying, 22400038UL, "keys", 0.01f)]
     [InlineData(RequestedKind.Walking, 22400028UL, "runner", 0.025f)]
     public void Feet_stay_where_they_stand_as_their_legs_go_over_them(RequestedKind kind, ulong seed, string script, float slip) => Hold(kind, seed, script, CreatureOptions.Default.Strangeness, 65f, slip);
+
+    /// <summary>The bones of a back that rises are twisted by its bends to a side (1.012 degrees beyond their limits).</summary>
+    [Fact]
+    public void A_back_that_rises_is_not_twisted_beyond_its_limits_in_a_turn()
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(24800047, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        CourseReport report = MotionCourse.Of(profile).Single(course => course.Script.Name == "keys").Run(profile);
+        Assert.InRange(report.LimitExcess * DegreesPerRadian, 0f, 0.1f);
+    }
 
     /// <summary>A foot that had set off under a body that went came down .037 of a leg from its home as that stood still, and stayed there, at one rate of three.</summary>
     [Fact(Explicit = true)]
