@@ -56,8 +56,8 @@ internal static class InsectLeg
             Immersion = 0.3f,
         },
         flight: new LegFlight(
-            tucked: new LegPosture(hip: 0.70, knee: -1.30, ankle: 0.70, ball: 0.50),
-            hanging: new LegPosture(hip: 0.60, knee: -1.05, ankle: 0.60, ball: 0.40),
+            tucked: new LegPosture(hip: 0.70, knee: -1.10, ankle: 0.60, ball: 0.50),
+            hanging: new LegPosture(hip: 0.60, knee: -0.85, ankle: 0.50, ball: 0.40),
             reaching: new LegPosture(hip: -0.05, knee: -0.15, ankle: 0, ball: 0)))
     {
         // As it is carried in the air: the knee drawn up beside the body, the shank laid back below it.

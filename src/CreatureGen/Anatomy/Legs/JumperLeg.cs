@@ -55,7 +55,7 @@ internal static class JumperLeg
             Immersion = 0.3f,
         },
         flight: new LegFlight(
-            tucked: new LegPosture(hip: 0.30, knee: -0.30, ankle: 0.10, ball: 0.10),
-            hanging: new LegPosture(hip: 0.15, knee: -0.40, ankle: 0.15, ball: 0.15),
+            tucked: new LegPosture(hip: -0.85, knee: -0.60, ankle: 0.30, ball: 0.30),
+            hanging: new LegPosture(hip: -0.70, knee: -0.40, ankle: 0.30, ball: 0.30),
             reaching: new LegPosture(hip: -0.20, knee: 0.10, ankle: 0, ball: 0)));
 }

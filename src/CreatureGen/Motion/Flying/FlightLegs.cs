@@ -79,9 +79,9 @@ internal sealed class FlightLegs
         double dangle = Dangle * stroke.Swing;
         turns[0] = Quaternion.Identity;
         turns[1] = Bend(posture.Hip + dangle);
-        turns[2] = lateral ? AxisRotation.Roll(posture.Knee) : AxisRotation.Pitch(posture.Knee);
-        turns[3] = lateral ? AxisRotation.Roll(-0.5 * posture.Ankle) : AxisRotation.Pitch(posture.Ankle + dangle);
-        turns[4] = lateral ? AxisRotation.Roll(-0.5 * posture.Ball) : AxisRotation.Pitch(posture.Ball);
+        turns[2] = lateral ? Rotation.FromAxisAngle(normal, -posture.Knee) : AxisRotation.Pitch(posture.Knee);
+        turns[3] = lateral ? Rotation.FromAxisAngle(normal, 0.5 * posture.Ankle) : AxisRotation.Pitch(posture.Ankle + dangle);
+        turns[4] = lateral ? Rotation.FromAxisAngle(normal, 0.5 * posture.Ball) : AxisRotation.Pitch(posture.Ball);
         bool plants = Stands && stroke.Planted > MinPlanted;
         if (plants)
         {

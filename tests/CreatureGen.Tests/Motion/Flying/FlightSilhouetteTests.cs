@@ -20,6 +20,9 @@ public sealed class FlightSilhouetteTests
     /// <summary>Least elevation of a thin wing at the top of its beat, radians: below it, the near blade lies in the line of sight of who looks from ahead and beside.</summary>
     private const double LeastRaised = 0.9;
 
+    /// <summary>Least that knees of insects fold in flight, radians more than as they stand.</summary>
+    private const double LeastFold = 0.8;
+
     [Fact]
     public void Knees_of_birds_are_behind_their_hips_in_flight()
     {
@@ -51,6 +54,31 @@ public sealed class FlightSilhouetteTests
 
         Assert.Equal(6, highest.Count);
         Assert.All(highest, wing => Assert.True(wing.Value > LeastRaised, FormattableString.Invariant($"{wing.Key}: {wing.Value} rad")));
+    }
+
+    /// <summary>They were bent about the length of the body: knees of legs that do not stand straight out to the side let them do so by .16 radians, and insects stood in the air.</summary>
+    [Fact]
+    public void Knees_of_insects_fold_in_flight_whichever_way_their_legs_stand()
+    {
+        int knees = 0;
+        foreach (StrokeSubject body in Cruising(BodyPlan.Buzzing, 8, 1))
+        {
+            foreach (LimbChain leg in body.Creature.Limbs.Where(limb => limb.Archetype == LimbArchetype.Insect))
+            {
+                double folded = Fold(body.ModelPositions, leg) - Fold(body.Creature.Skeleton.ModelPositions, leg);
+                Assert.True(folded > LeastFold, FormattableString.Invariant($"{body.Creature.Blueprint.Seed}: a knee folds by {folded} rad"));
+                knees++;
+            }
+        }
+
+        Assert.True(knees > 40);
+    }
+
+    private static double Fold(ReadOnlySpan<Vector3> positions, LimbChain leg)
+    {
+        Vector3 thigh = Vector3.Normalize(positions[leg.Joints[2]] - positions[leg.Joints[1]]);
+        Vector3 shank = Vector3.Normalize(positions[leg.Joints[3]] - positions[leg.Joints[2]]);
+        return Math.Acos(Vector3.Dot(thigh, shank));
     }
 
     /// <summary>Some animals of a plan as they cruise, each at so many moments of a beat.</summary>
