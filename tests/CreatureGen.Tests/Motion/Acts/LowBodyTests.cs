@@ -143,6 +143,26 @@ public class LowBodyTests
         Assert.InRange(animator.ModelPose.Positions[body.Body].Y - body.Depth, -1f, 0.15f * body.Legs!.BellyHeight);
     }
 
+    /// <summary>On its way to its back it went over a stiff wing, on which it stood four times as high as on its legs.</summary>
+    [Theory]
+    [InlineData(24800454UL)]
+    [InlineData(24800471UL)]
+    public void A_sprawler_with_spread_wings_dies_on_its_belly(ulong seed)
+    {
+        MotionProfile profile = Strange(seed);
+        CreatureAnimator animator = Performing(profile, "Die", out ActAbility die);
+        int body = profile.Acts.Body.Body;
+        float stands = animator.ModelPose.Positions[body].Y;
+        float highest = 0f;
+        for (float seconds = 0f; seconds < die.SecondsToLast; seconds += 1f / 60f)
+        {
+            animator.Update(1f / 60f, default, FlatGround.Level);
+            highest = Math.Max(highest, animator.ModelPose.Positions[body].Y);
+        }
+
+        Assert.InRange(highest, 0.5f * stands, 1.1f * stands);
+    }
+
     /// <summary>Laid back as feelers are it would go into the ground.</summary>
     [Fact]
     public void What_points_back_is_not_laid_back_with_the_ears()

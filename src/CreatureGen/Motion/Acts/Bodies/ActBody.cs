@@ -294,7 +294,7 @@ internal sealed class ActBody
         Add(ActNeeds.Abdomen, Legs is { HasAbdomen: true } && Tail.Count > 0);
         Add(ActNeeds.Flanks, Legs != null && LyingSide == LyingSide.Flank);
         Add(ActNeeds.BareFlanks, Legs != null && LyingSide == LyingSide.Flank && !SpreadWings.Of(Subject));
-        Add(ActNeeds.Back, Legs != null && LyingSide == LyingSide.Back && !Subject.HasHorns);
+        Add(ActNeeds.Back, Legs != null && LyingSide == LyingSide.Back && !Subject.HasHorns && !SpreadWings.Of(Subject));
         return has;
 
         void Add(ActNeeds part, bool there) => has |= there ? part : ActNeeds.None;

@@ -45,7 +45,7 @@ public enum ActNeeds
     /// <summary>Flanks to lie on: a body on legs below it.</summary>
     Flanks = 2048,
 
-    /// <summary>A back to lie on: a body with its legs out to the sides, without horns that would dig into the ground.</summary>
+    /// <summary>A back to lie on: a body with its legs out to the sides, without horns that would dig into the ground and without wings to roll over, which would carry it into the air.</summary>
     Back = 4096,
 
     /// <summary>Flanks without wings folded onto them: who has such wings dies on them, and sleeps on its belly.</summary>
