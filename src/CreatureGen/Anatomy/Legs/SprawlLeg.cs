@@ -41,7 +41,7 @@ internal static class SprawlLeg
             HalfWidth = 0.50,
         },
         limits: new LegLimits(
-            hip: new(swingX: (-45, 60), swingZ: (-60, 70), twist: (-60, 60)),
+            hip: new(swingX: (-45, 60), swingZ: (-60, 70), twist: (-80, 80)),
             knee: new(swingX: (-60, 80), swingZ: (-15, 15), twist: (-20, 20)),
             ankle: new(swingX: (-60, 70), swingZ: (-45, 45), twist: (-45, 45)),
             ball: new(swingX: (-70, 60), swingZ: (-25, 25), twist: (-10, 10))),

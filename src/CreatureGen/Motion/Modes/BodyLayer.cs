@@ -84,6 +84,7 @@ internal sealed class BodyLayer
         {
             Feet[i].Way += other.Feet[i].Way;
             Feet[i].Pitch += other.Feet[i].Pitch;
+            Feet[i].Lean += other.Feet[i].Lean;
             Feet[i].Loose = Math.Max(Feet[i].Loose, other.Feet[i].Loose);
         }
     }
@@ -115,6 +116,9 @@ internal struct FootLayer
 
     /// <summary>Toes down, radians.</summary>
     public float Pitch;
+
+    /// <summary>How far its leg, if that is out to the side, lies over about the line from hip to foot, radians, the knee ahead: upright over that line it carries the body.</summary>
+    public float Lean;
 
     /// <summary>How far it stands no longer: a leg that is folded under the body comes near its place as it can, 0..1.</summary>
     public float Loose;

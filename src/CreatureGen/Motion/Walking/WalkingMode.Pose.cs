@@ -72,7 +72,7 @@ internal sealed partial class WalkingMode
         for (int i = 0; i < poses.Length; i++)
         {
             FootPoser.Pose(body.Legs[i], ref planner.Feet[i], planner.Ways[i], placement, numbers, rest * body.RestPitch(i), out poses[i]);
-            planner.Feet[i].Path.Taken = planner.Feet[i].Path.Aloft = 0f;
+            planner.Feet[i].Path.Taken = planner.Feet[i].Path.Aloft = planner.Feet[i].Path.Lean = 0f;
             if (layer != null)
             {
                 FootPoser.Add(body.Legs[i], layer.Feet[i], ref planner.Feet[i], ref poses[i]);

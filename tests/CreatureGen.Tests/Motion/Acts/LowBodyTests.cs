@@ -47,6 +47,25 @@ public class LowBodyTests
         Assert.True(down > 1.05f, $"its chest came down by {down} of the height of its belly");
     }
 
+    /// <summary>Its feet stayed where they stood and its knees where they were, .58 to .66 of a leg high: it hung between four stilts.</summary>
+    [Theory]
+    [InlineData(24781011UL)]
+    [InlineData(24803025UL, Explicit = true)]
+    [InlineData(24803027UL, Explicit = true)]
+    [InlineData(24803060UL, Explicit = true)]
+    public void Legs_out_to_the_sides_of_a_body_that_lies_are_laid_down_with_their_elbows_behind_and_their_knees_ahead(ulong seed)
+    {
+        CreatureAnimator animator = Performing(Strange(seed), "Lie", out ActAbility lie);
+        Walkers.Run(animator, lie.SecondsToLast, Rate, default, FlatGround.Level);
+        Assert.All(animator.Profile.Acts.Body.Legs!.Legs, leg =>
+        {
+            ReadOnlySpan<Vector3> places = animator.ModelPose.Positions;
+            Vector3 knee = places[leg.Knee] - places[leg.Hip];
+            Assert.InRange(places[leg.Knee].Y / leg.Length, 0f, 0.36f);
+            Assert.InRange((leg.Row == 0 ? knee.Z : -knee.Z) / leg.Length, 0.1f, 1f);
+        });
+    }
+
     /// <summary>Bent or raised over all of them, a trunk with a dozen pairs of legs, or with short ones out to the side, drags its feet.</summary>
     [Theory]
     [InlineData(11200043UL, "Bite")]

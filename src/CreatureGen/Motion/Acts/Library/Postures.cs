@@ -19,6 +19,9 @@ internal static class Postures
 
     private static readonly ActPhase[] sleep = SleepBy(new ActPhase("nod", 3.5f).To(NeckPitch, -0.9f).To(HeadPitch, 0.45f).To(NeckSide, 0.35f).To(HeadSide, 0.1f).To(TailSide, 0.5f));
 
+    // Low on the ground: the chin is laid on it.
+    private static readonly ActPhase[] sleepOnChin = SleepBy(new ActPhase("nod", 3.5f).To(NeckPitch, -0.9f).To(HeadPitch, 1f).To(NeckSide, 0.35f).To(HeadSide, 0.1f).To(TailSide, 0.5f));
+
     // Curled up on the belly: head and tail round to a flank.
     private static readonly ActPhase[] sleepCurled = SleepBy(new ActPhase("curl up", 3.5f).To(BackSide, 0.25f).To(NeckPitch, -0.7f).To(NeckSide, 1.3f).To(HeadPitch, 0.2f).To(HeadSide, 0.5f).To(TailSide, 1f));
 
@@ -70,7 +73,7 @@ internal static class Postures
         Lying("Sleep", GettingDownSideways(sleepOnSide)).Needing(ActNeeds.Legs | ActNeeds.Flanks).For(BodyBuild.Upright),
         Lying("Sleep", GettingDownUpright(sleep)).For(BodyBuild.Upright),
         Lying("Sleep", GettingDown(sleepTucked)).For(BodyBuild.TwoLegged),
-        Lying("Sleep", GettingDown(sleep)).For(BodyBuild.Standing),
+        Lying("Sleep", GettingDown(sleepOnChin)).For(BodyBuild.Standing),
         new Act("Sleep", ActKind.Posture,
             new ActPhase("nod", 4f).To(ForeDown, 1f).To(NeckSide, 0.4f).To(Lids, 1f),
             new ActPhase("sleep", 14f).Lasting().With(new ActWave(BackPitch, 0.01f, 2.5f)),
@@ -139,7 +142,7 @@ internal static class Postures
             new ActPhase("stagger", 1.4f).To(NeckPitch, 0.35f).To(NeckSide, -0.3f).To(Lids, 0.5f).To(Jaw, 0.5f).To(Ears, 0.8f).To(TailPitch, 0.2f),
             new ActPhase("give way", 1.1f, ActEase.In).To(ForeDown, 0.52f).To(ForeFold, 0.55f).To(HindDown, 0.46f).To(HindFold, 0.4f).To(NeckPitch, 0.2f).To(NeckSide, 0f).To(TailPitch, 0f),
             new ActPhase("drop", 1.2f, ActEase.In).To(ForeDown, 1f).To(HindDown, 1f).To(ForeFold, 1f).To(HindFold, 1f).To(NeckPitch, -0.5f).To(TailPitch, -0.3f),
-            new ActPhase("slump", 1.8f, ActEase.Out).To(ForeFeetOut, 0.2f).To(ForeFootAhead, 0.3f).To(HindFeetAhead, -0.4f).To(HindFootAhead, 0.25f).To(NeckPitch, -0.9f).To(NeckSide, 0.8f).To(HeadPitch, 0.6f).To(HeadRoll, 0.6f).To(HeadSide, 0.3f)
+            new ActPhase("slump", 1.8f, ActEase.Out).To(ForeFold, 0.85f).To(HindFold, 0.85f).To(ForeFeetOut, 0.2f).To(ForeFootAhead, 0.3f).To(HindFeetAhead, -0.4f).To(HindFootAhead, 0.25f).To(NeckPitch, -0.9f).To(NeckSide, 0.8f).To(HeadPitch, 0.6f).To(HeadRoll, 0.6f).To(HeadSide, 0.3f)
                 .To(Roll, 0.18f).To(BackSide, 0.35f).To(TailSide, 1f).To(TailPitch, -1.2f).To(Lids, 0.8f).To(Jaw, 0.1f).To(ArmsOut, 0.3f).To(Wings, 0.2f),
             new ActPhase("still", 5f).Lasting(),
             new ActPhase("gather", 2f).To(ForeFeetOut, 0f).To(ForeFootAhead, 0f).To(HindFeetAhead, 0f).To(HindFootAhead, 0f).To(Roll, 0f).To(BackSide, 0f).To(NeckPitch, -0.1f).To(HeadPitch, 0f).To(HeadRoll, 0f).To(Wings, 0f),

@@ -67,6 +67,7 @@ internal sealed class FoldedLegs
         way.Y += ways.Arch * level * 4f * (1f - fraction) * lifted;
         foot.Way += way * fraction;
         foot.Pitch += ways.Pitches[leg] * fraction;
+        foot.Lean += ways.Leans[leg] * fraction;
         foot.Loose = Math.Max(foot.Loose, fraction);
     }
 }
@@ -79,6 +80,7 @@ internal sealed class FootWays
         Arch = arch;
         Ways = new Vector3[legs];
         Pitches = new float[legs];
+        Leans = new float[legs];
     }
 
     /// <summary>How high feet go on their ways, metres over the length of a way.</summary>
@@ -90,10 +92,14 @@ internal sealed class FootWays
     /// <summary>Toes down, radians.</summary>
     public float[] Pitches { get; }
 
+    /// <summary>How far legs out to the side lie over about the line from hip to foot, the knees ahead, radians.</summary>
+    public float[] Leans { get; }
+
     /// <summary>Takes those of others.</summary>
     public void Take(FootWays others)
     {
         others.Ways.CopyTo(Ways, 0);
         others.Pitches.CopyTo(Pitches, 0);
+        others.Leans.CopyTo(Leans, 0);
     }
 }

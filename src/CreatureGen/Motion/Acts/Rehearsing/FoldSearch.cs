@@ -16,7 +16,6 @@ namespace CreatureGen.Motion.Acts.Rehearsing;
 /// </summary>
 internal static class FoldSearch
 {
-    private const int Count = 4;
     private const int Sweeps = 9;
     private const float FirstStep = 0.3f;
     private const float LastStep = 0.03f;
@@ -41,14 +40,9 @@ internal static class FoldSearch
     /// <summary>In which steps it is sought how far a body rolls over, radians.</summary>
     private const float TurnStep = 0.05f;
 
-    // Ahead, out, up: parts of the leg; toes down, radians. Ways to begin with: where they stand, feet ahead as a sphinx, far ahead on the heels, wrists folded and hooves behind, legs out to the side.
-    private static readonly float[][] beginnings = { new[] { 0f, 0f, 0f, 0f }, new[] { 0.45f, 0f, 0f, 0f }, new[] { 0.8f, 0.05f, 0.05f, -0.4f }, new[] { -0.4f, 0f, 0.05f, 1.2f }, new[] { 0.15f, 0.4f, 0f, 0.2f } };
-    private static readonly float[] min = { -0.9f, -0.2f, 0f, -0.6f };
-    private static readonly float[] max = { 0.9f, 0.7f, 0.2f, 1.8f };
-
-    // Stretched out behind a body on its chest.
-    private static readonly float[][] stretchedBeginnings = { new[] { -0.9f, 0f, 0.05f, 1.4f } };
-    private static readonly float[] stretchedMin = { -1.3f, -0.1f, 0f, 0.6f };
+    // The same of a knee above the ground, and of a leg that is stretched whole, where it is out to the side: where its foot stands it would arch over the ground like a stilt beside a belly that lies there, and flat out it would be a splayed one.
+    private const float KneeCost = 0.8f;
+    private const float StretchCost = 0.5f;
 
     /// <summary>Finds it for all legs, those of a pair alike.</summary>
     /// <param name="body">Whose.</param>
@@ -120,7 +114,7 @@ internal static class FoldSearch
         legs.Tip = Elevation(body, stage) - Propped;
         values[(int)ActChannel.HindDown] = 1f;
         values[(int)ActChannel.ForeFold] = 1f;
-        return Pairs(body, stage, legs.Stretched, (stretchedBeginnings, stretchedMin), values);
+        return Pairs(body, stage, legs.Stretched, _ => FoldManner.Stretched, values);
     }
 
     /// <summary>How far a trunk points up as it stands, radians.</summary>
@@ -142,7 +136,7 @@ internal static class FoldSearch
         {
             values[(int)ActChannel.ForeDown] = down;
             values[(int)ActChannel.HindDown] = down;
-            foreach (float cost in Pairs(body, stage, legs.Folded, (beginnings, min), values))
+            foreach (float cost in Pairs(body, stage, legs.Folded, leg => FoldManner.Of(leg, body.Legs!.Rows), values))
             {
                 yield return cost;
             }
@@ -155,7 +149,7 @@ internal static class FoldSearch
         }
     }
 
-    private static IEnumerable<float> Pairs(ActBody body, ActStage stage, FootWays ways, (float[][] Beginnings, float[] Min) manner, float[] values)
+    private static IEnumerable<float> Pairs(ActBody body, ActStage stage, FootWays ways, Func<LegRig, FoldManner> manner, float[] values)
     {
         for (int leg = 0; leg < body.Legs!.Legs.Length; leg++)
         {
@@ -163,7 +157,7 @@ internal static class FoldSearch
             int other = Array.FindIndex(body.Legs.Legs, one => one.Row == rig.Row && one.Side == Side.Right);
             if (rig.Side == Side.Left && other >= 0)
             {
-                foreach (float cost in Pair(body, stage, ways, manner, (leg, other), values))
+                foreach (float cost in Pair(body, stage, ways, manner(rig), (leg, other), values))
                 {
                     yield return cost;
                 }
@@ -171,13 +165,14 @@ internal static class FoldSearch
         }
     }
 
-    private static IEnumerable<float> Pair(ActBody body, ActStage stage, FootWays ways, (float[][] Beginnings, float[] Min) manner, (int Left, int Right) pair, float[] values)
+    private static IEnumerable<float> Pair(ActBody body, ActStage stage, FootWays ways, FoldManner manner, (int Left, int Right) pair, float[] values)
     {
         (int left, int right) = pair;
         LegRig rig = body.Legs!.Legs[left];
         BonePoints skin = body.Skin.Of(joint => body.Hangs(joint, rig.Hip));
-        var best = new float[Count];
-        var now = new float[Count];
+        bool isSprawling = rig.Traits.Kind.Outline.Sprawling;
+        var best = new float[FoldManner.Count];
+        var now = new float[FoldManner.Count];
         float min = float.MaxValue;
         foreach (float[] beginning in manner.Beginnings)
         {
@@ -187,7 +182,7 @@ internal static class FoldSearch
             for (int sweep = 0; sweep < Sweeps && step > LastStep; sweep++)
             {
                 bool better = false;
-                for (int number = 0; number < Count; number++)
+                for (int number = 0; number < FoldManner.Count; number++)
                 {
                     better |= Move(number, step) || Move(number, -step);
                 }
@@ -205,7 +200,7 @@ internal static class FoldSearch
             bool Move(int number, float by)
             {
                 float before = now[number];
-                now[number] = Scalar.Clamp(before + by, manner.Min[number], max[number]);
+                now[number] = Scalar.Clamp(before + by, manner.Min[number], manner.Max[number]);
                 float tried = Cost(now);
                 if (tried < cost - 1e-4f)
                 {
@@ -225,6 +220,7 @@ internal static class FoldSearch
             ways.Ways[left] = new Vector3(numbers[1], numbers[2], numbers[0]) * rig.Length;
             ways.Ways[right] = new Vector3(-numbers[1], numbers[2], numbers[0]) * rig.Length;
             ways.Pitches[left] = ways.Pitches[right] = numbers[3];
+            ways.Leans[left] = ways.Leans[right] = numbers[4];
         }
 
         float Cost(float[] numbers)
@@ -236,7 +232,14 @@ internal static class FoldSearch
             Quaternion foot = Rotation.Multiply(stage.Model.Rotations[rig.Ball], Rotation.Inverse(body.Skeleton.ModelRotations[rig.Ball]));
             float turned = (float)Rotation.Angle(Rotation.Multiply(Rotation.Inverse(AxisRotation.About(rig.RollAxis, numbers[3])), foot));
             float way = (numbers[0] * numbers[0]) + (numbers[1] * numbers[1]) + (0.1f * numbers[3] * numbers[3]);
-            return (SunkCost * Math.Max(0f, -lowest)) + (FloatingCost * Math.Max(0f, lowest)) + (MissCost * miss) + (WayCost * way) + (TurnCost * turned * turned);
+            return (SunkCost * Math.Max(0f, -lowest)) + (FloatingCost * Math.Max(0f, lowest)) + (MissCost * miss) + (WayCost * way) + (TurnCost * turned * turned) + (isSprawling ? Upright() : 0f);
+        }
+
+        // What of a leg out to the side is not laid beside the body.
+        float Upright()
+        {
+            ReadOnlySpan<Vector3> places = stage.Model.Positions;
+            return (KneeCost * Math.Max(0f, places[rig.Knee].Y) / rig.Length) + (StretchCost * Vec.Distance(places[rig.Hip], places[rig.Ankle]) / rig.Reach);
         }
     }
 }

@@ -35,6 +35,9 @@ internal struct FootPath
     /// <summary>Its pitch, fold and load, without a jump where it leaves the cycle.</summary>
     public PostureFade Posture;
 
+    /// <summary>How far its leg lies over about the line from hip to foot for an act, radians, the knee ahead.</summary>
+    public float Lean;
+
     /// <summary>How far an act has taken it off the ground, 0..1: then it neither carries nor steps.</summary>
     public float Taken;
 

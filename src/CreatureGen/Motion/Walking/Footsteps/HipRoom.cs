@@ -28,7 +28,7 @@ internal static class HipRoom
     /// <summary>Whether the hip turns as far as it is asked; the leg as it lets it be.</summary>
     private static bool IsFree(LeggedBody body, LegRig leg, Quaternion carrier, Vector3 chord, Quaternion heading, out LegRotations solved)
     {
-        LegSolver.Solve(leg, leg.Parts, chord, LegSolver.Side(leg, carrier, chord, heading), 0f, 0f, Vector3.Zero, out solved);
+        LegSolver.Solve(leg, leg.Parts, chord, LegSolver.Side(leg, carrier, chord, heading, 0f), 0f, 0f, Vector3.Zero, out solved);
         Quaternion asked = body.Turns.Local(leg.Hip, Rotation.Multiply(Rotation.Inverse(carrier), solved.Thigh));
         Quaternion kept = leg.Limits.Hip.Clamp(asked);
         if (kept == asked)

@@ -281,8 +281,13 @@ internal static class LegSolver
     public static Vector3 EndOf(LegRig leg, in LegSegments parts, in LegRotations solved) => Rotation.Rotate(solved.Thigh, parts.Upper) + Rotation.Rotate(solved.Shank, leg.Shank);
 
     /// <summary>Where the hinge of the knee has to point, for a place from the hip.</summary>
+    /// <param name="leg">At rest.</param>
+    /// <param name="carrier">Turn of the trunk at its hip from rest.</param>
+    /// <param name="chord">From the hip to the foot.</param>
+    /// <param name="heading">Of the foot.</param>
+    /// <param name="lean">How far the plane of a leg out to the side lies over about the chord, radians, the knee ahead.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3 Side(LegRig leg, Quaternion carrier, Vector3 chord, Quaternion heading)
+    public static Vector3 Side(LegRig leg, Quaternion carrier, Vector3 chord, Quaternion heading, float lean)
     {
         Vector3 carried = Rotation.Rotate(carrier, leg.Hinge);
         if (!leg.Lateral)
@@ -295,6 +300,7 @@ internal static class LegSolver
 
         // The leg's plane stands upright through hip and ankle; the share of the body's own axis keeps it when the foot is nearly below the hip.
         Vector3 across = Vec.Scale(Vec.Cross(chord, Rotation.Rotate(carrier, Vector3.UnitY)), leg.AcrossSign / Math.Max(Vec.Length(chord), 1e-6f));
-        return across + Rotation.Rotate(carrier, Vec.Scale(leg.Skew, Vec.Length(across))) + Vec.Scale(carried, BodyFraction);
+        Vector3 upright = across + Rotation.Rotate(carrier, Vec.Scale(leg.Skew, Vec.Length(across))) + Vec.Scale(carried, BodyFraction);
+        return lean == 0f ? upright : Rotation.Rotate(AxisRotation.About(Vec.Normalize(chord, Vector3.UnitX), leg.Side == Anatomy.Side.Left ? lean : -lean), upright);
     }
 }

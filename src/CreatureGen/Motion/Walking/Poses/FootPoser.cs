@@ -107,6 +107,7 @@ internal static class FootPoser
         float loose = Scalar.Smooth(layer.Loose / TakenHeight);
         foot.Path.Taken = Math.Max(raised, loose);
         foot.Path.Aloft = raised * (1f - loose);
+        foot.Path.Lean = layer.Lean;
         pose.Ball += way;
         if (layer.Pitch != 0f)
         {

@@ -194,7 +194,7 @@ internal sealed class LegPoser
 
         HipLimit limit = HipLimit.Of(foot);
         float lifted = foot.Phase == FootPhase.Swing ? leg.Traits.LiftCurve.At(foot.Swing) : 0f;
-        var goal = new LegGoal(leg.Lateral && lifted > 0f ? LegSolver.Outside(leg, carrier, chord, ground, Scalar.Smooth(lifted / WhollyOutside)) : chord, foot.Path.Heading, limit.Slack, limit.Tolerance, leg.Lateral ? Vector3.Zero : foot.Path.Normal * limit.Standing);
+        var goal = new LegGoal(leg.Lateral && lifted > 0f ? LegSolver.Outside(leg, carrier, chord, ground, Scalar.Smooth(lifted / WhollyOutside)) : chord, foot.Path.Heading, foot.Path.Lean, limit.Slack, limit.Tolerance, leg.Lateral ? Vector3.Zero : foot.Path.Normal * limit.Standing);
         bool bent = !Aim(leg, parts, carrier, goal, local, out solved);
         if (bent)
         {
@@ -238,7 +238,7 @@ internal sealed class LegPoser
     /// <returns>Whether the hip goes as far as it is asked.</returns>
     private bool Aim(LegRig leg, in LegSegments parts, Quaternion carrier, in LegGoal goal, in Pose local, out LegRotations solved)
     {
-        LegSolver.Solve(leg, parts, goal.Chord, LegSolver.Side(leg, carrier, goal.Chord, goal.Heading), goal.Slack, goal.Tolerance, goal.Over, out solved);
+        LegSolver.Solve(leg, parts, goal.Chord, LegSolver.Side(leg, carrier, goal.Chord, goal.Heading, goal.Lean), goal.Slack, goal.Tolerance, goal.Over, out solved);
         SetHip(leg, carrier, solved, local);
         SetKnee(leg, solved, local);
         if (Bound(local.Rotations, leg.Hip, leg.Limits.Hip, goal.Tolerance) <= goal.Tolerance)

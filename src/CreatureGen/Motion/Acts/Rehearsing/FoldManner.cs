@@ -1,0 +1,34 @@
+using CreatureGen.Motion.Walking.Legs;
+
+namespace CreatureGen.Motion.Acts.Rehearsing;
+
+/// <summary>Ways of folding a leg to begin a search with, and bounds of it, five numbers each: ahead, out, up, parts of the leg; toes down, the knee of a leg out to the side ahead, radians.</summary>
+/// <param name="Beginnings">The ways.</param>
+/// <param name="Min">The least of each number.</param>
+/// <param name="Max">The most of each.</param>
+internal sealed record FoldManner(float[][] Beginnings, float[] Min, float[] Max)
+{
+    /// <summary>How many numbers there are.</summary>
+    public const int Count = 5;
+
+    /// <summary>How far a leg out to the side lies over at most, radians: a little more than level.</summary>
+    private const float MaxLean = 1.9f;
+
+    private static readonly float[] most = { 0.9f, 0.7f, 0.2f, 1.8f, 0f };
+    private static readonly float[] asItStands = { 0f, 0f, 0f, 0f, 0f };
+
+    // Where it stands, ahead as a sphinx, far ahead on the heel, the wrist folded and the hoof behind, out to the side.
+    private static readonly FoldManner under = new([asItStands, [0.45f, 0f, 0f, 0f, 0f], [0.8f, 0.05f, 0.05f, -0.4f, 0f], [-0.4f, 0f, 0.05f, 1.2f, 0f], [0.15f, 0.4f, 0f, 0.2f, 0f]], [-0.9f, -0.2f, 0f, -0.6f, 0f], most);
+
+    // Laid along the ground beside the body, elbows behind and knees ahead: the foot about where it stands, nearer to the body, or farther back.
+    private static readonly FoldManner elbowBehind = new([asItStands, [0.2f, 0f, 0f, 0.3f, -1.2f], [0.2f, -0.2f, 0f, 0.3f, -1.5f], [0f, -0.3f, 0f, 0.3f, -1.2f], [-0.4f, 0f, 0f, 0.3f, -1.2f]], [-0.9f, -0.5f, 0f, -0.6f, -MaxLean], [0.9f, 0.7f, 0f, 1.8f, 0f]);
+    private static readonly FoldManner kneeAhead = new([asItStands, [-0.2f, 0f, 0f, 0f, 1.2f], [-0.2f, -0.2f, 0f, 0f, 1.5f], [0f, -0.3f, 0f, 0.3f, 1.2f], [-0.5f, 0f, 0f, 0.3f, 1.2f]], [-0.9f, -0.5f, 0f, -0.6f, 0f], [0.9f, 0.7f, 0f, 1.8f, MaxLean]);
+
+    /// <summary>Stretched out behind a body on its chest.</summary>
+    public static FoldManner Stretched { get; } = new([[-0.9f, 0f, 0.05f, 1.4f, 0f]], [-1.3f, -0.1f, 0f, 0.6f, 0f], most);
+
+    /// <summary>How a leg folds under a body that lies on its belly, or beside it.</summary>
+    /// <param name="leg">Which.</param>
+    /// <param name="rows">How many pairs there are.</param>
+    public static FoldManner Of(LegRig leg, int rows) => !leg.Traits.Kind.Outline.Sprawling ? under : leg.IsHind(rows) ? kneeAhead : elbowBehind;
+}
