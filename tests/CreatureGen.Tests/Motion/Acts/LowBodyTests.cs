@@ -53,6 +53,8 @@ public class LowBodyTests
     [InlineData(24803025UL, Explicit = true)]
     [InlineData(24803027UL, Explicit = true)]
     [InlineData(24803060UL, Explicit = true)]
+    [InlineData(24803020UL, Explicit = true)]
+    [InlineData(24803058UL, Explicit = true)]
     public void Legs_out_to_the_sides_of_a_body_that_lies_are_laid_down_with_their_elbows_behind_and_their_knees_ahead(ulong seed)
     {
         CreatureAnimator animator = Performing(Strange(seed), "Lie", out ActAbility lie);

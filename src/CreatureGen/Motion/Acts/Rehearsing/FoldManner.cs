@@ -27,8 +27,11 @@ internal sealed record FoldManner(float[][] Beginnings, float[] Min, float[] Max
     /// <summary>Stretched out behind a body on its chest.</summary>
     public static FoldManner Stretched { get; } = new([[-0.9f, 0f, 0.05f, 1.4f, 0f]], [-1.3f, -0.1f, 0f, 0.6f, 0f], most);
 
+    /// <summary>Whether a leg is laid down beside a body that lies instead of folding under it: one out to the side, unless it arches as those of insects do.</summary>
+    public static bool IsLaid(LegRig leg) => leg.Lateral && !leg.Traits.Kind.Outline.Jointed;
+
     /// <summary>How a leg folds under a body that lies on its belly, or beside it.</summary>
     /// <param name="leg">Which.</param>
     /// <param name="rows">How many pairs there are.</param>
-    public static FoldManner Of(LegRig leg, int rows) => !leg.Traits.Kind.Outline.Sprawling ? under : leg.IsHind(rows) ? kneeAhead : elbowBehind;
+    public static FoldManner Of(LegRig leg, int rows) => !IsLaid(leg) ? under : leg.IsHind(rows) ? kneeAhead : elbowBehind;
 }

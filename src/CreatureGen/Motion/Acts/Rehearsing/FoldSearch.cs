@@ -170,7 +170,7 @@ internal static class FoldSearch
         (int left, int right) = pair;
         LegRig rig = body.Legs!.Legs[left];
         BonePoints skin = body.Skin.Of(joint => body.Hangs(joint, rig.Hip));
-        bool isSprawling = rig.Traits.Kind.Outline.Sprawling;
+        bool isLaid = FoldManner.IsLaid(rig);
         var best = new float[FoldManner.Count];
         var now = new float[FoldManner.Count];
         float min = float.MaxValue;
@@ -232,7 +232,7 @@ internal static class FoldSearch
             Quaternion foot = Rotation.Multiply(stage.Model.Rotations[rig.Ball], Rotation.Inverse(body.Skeleton.ModelRotations[rig.Ball]));
             float turned = (float)Rotation.Angle(Rotation.Multiply(Rotation.Inverse(AxisRotation.About(rig.RollAxis, numbers[3])), foot));
             float way = (numbers[0] * numbers[0]) + (numbers[1] * numbers[1]) + (0.1f * numbers[3] * numbers[3]);
-            return (SunkCost * Math.Max(0f, -lowest)) + (FloatingCost * Math.Max(0f, lowest)) + (MissCost * miss) + (WayCost * way) + (TurnCost * turned * turned) + (isSprawling ? Upright() : 0f);
+            return (SunkCost * Math.Max(0f, -lowest)) + (FloatingCost * Math.Max(0f, lowest)) + (MissCost * miss) + (WayCost * way) + (TurnCost * turned * turned) + (isLaid ? Upright() : 0f);
         }
 
         // What of a leg out to the side is not laid beside the body.

@@ -38,7 +38,7 @@ internal struct TrunkPlan
         }
 
         var most = new Vector3(bends.Pitch, bends.Yaw, bends.Roll);
-        Vector3 bend = bends.Within(Vector3.Clamp(asked, -most, most));
+        Vector3 bend = bends.Within(Vec.Max(Vec.Min(asked, most), -most));
         (BendPitch, BendYaw, BendRoll) = (bend.X, bend.Y, bend.Z);
     }
 }
