@@ -8,14 +8,11 @@ namespace CreatureGen.Motion.Walking.Bodies;
 /// <summary>How far a trunk bends from the pelvis to the joint of its fore legs, radians: all its joints bend alike, and the stiffest decides.</summary>
 internal sealed class TrunkBends
 {
-    /// <summary>Part of the joints' limits that a bend about one axis takes up: the rest is for those that go with it.</summary>
+    /// <summary>Part of the joints' limits that bends take up, about one axis or about several at once.</summary>
     public const float Fraction = 0.95f;
 
-    /// <summary>The same of bends up and down.</summary>
+    /// <summary>The same of bends up and down: the rest is for those to a side that go with them.</summary>
     private const float PitchFraction = 0.75f * Fraction;
-
-    /// <summary>Part of the limits that bends about all axes take up together.</summary>
-    private const float TogetherFraction = 0.95f;
 
     /// <summary>A limit below this, radians, counts as this.</summary>
     private const float Least = 1e-5f;
@@ -52,7 +49,7 @@ internal sealed class TrunkBends
     /// <param name="bend">Pitch, yaw and roll, the axes of the model.</param>
     public Vector3 Within(Vector3 bend)
     {
-        float most = TogetherFraction;
+        float most = Fraction;
         Vector3 each = bend / Math.Max(joints.Length, 1);
 
         // Yaw after pitch after roll is a turn about this, but for what is of the third order.
@@ -64,7 +61,7 @@ internal sealed class TrunkBends
             most = Math.Max(most, Math.Max((float)Math.Sqrt(swing), Part(turn.Y, limit.Twist)));
         }
 
-        return most > TogetherFraction ? bend * (TogetherFraction / most) : bend;
+        return most > Fraction ? bend * (Fraction / most) : bend;
     }
 
     private static float Part(float angle, AngleRange range) => Math.Abs(angle) / Math.Max(angle < 0f ? -range.Min : range.Max, Least);
