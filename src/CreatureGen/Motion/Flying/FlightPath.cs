@@ -40,6 +40,9 @@ internal static class FlightPath
     private const double Cushion = 0.4;
     private const double ShortBrake = 0.15;
 
+    /// <summary>How quickly what stays in the air comes to its lowest height in the end, √(g/leg).</summary>
+    private const double FloorResponse = 1;
+
     /// <summary>Leg lengths above the ground at which legs no longer carry it, the time, √(leg/g), after which it takes to its wings for that, and how fast it then comes down, cruises.</summary>
     private const double CliffHeight = 0.6;
     private const double CliffTime = 0.1;
@@ -179,10 +182,14 @@ internal static class FlightPath
         return braking <= wait ? soft : Math.Min(soft, state.Above / (braking - wait));
     }
 
-    /// <summary>The least climb of a flier that stays in the air: it does not fly into the ground.</summary>
+    /// <summary>The least climb of a flier that stays in the air: it does not fly into the ground. Where there is much room it slows down evenly; the last of it it goes in proportion, or it would go up and down about its lowest height for good.</summary>
     private static double LowestClimb(double room, double leg, double gravity)
     {
-        double steady = Math.Sqrt(2 * Cushion * gravity * Math.Abs(room));
+        double rate = FloorResponse * Math.Sqrt(gravity / leg);
+        double even = Cushion * gravity;
+        double last = even / (rate * rate);
+        double far = Math.Abs(room);
+        double steady = far < last ? rate * far : Math.Sqrt(2 * even * (far - (0.5 * last)));
         return room > 0 ? -steady : Math.Min(steady, Math.Sqrt(gravity * leg));
     }
 

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using System.Numerics;
 using CreatureGen.Creatures;
 using CreatureGen.Motion;
@@ -39,6 +40,35 @@ public sealed class FlightPathTests
             CreatureAnimator animator = At(rate, profile);
             float apart = Vector3.Distance(finest.Root.Position, animator.Root.Position) / profile.LegLength;
             Assert.True(apart < 0.005f, FormattableString.Invariant($"{seed} at {rate} Hz: {apart} legs"));
+        }
+    }
+
+    /// <summary>It went up and down about its lowest height, four times a second by a thirtieth of a leg, and where it was in that at the next command differed with the rate.</summary>
+    [Theory]
+    [InlineData(1)]
+    [InlineData(10900003)]
+    [InlineData(10900009)]
+    [InlineData(10900012)]
+    [InlineData(10900022)]
+    [InlineData(24800271)]
+    public void Told_to_sink_in_the_air_it_comes_to_its_lowest_height_and_stays_there(ulong seed)
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Flying }));
+        var animator = new CreatureAnimator(profile);
+        Fly(3f, 0.5f, null);
+        Fly(10f, -0.5f, null);
+        var heights = new List<float>();
+        Fly(2f, -0.5f, heights);
+        Assert.InRange(heights.Max(), 0.5f, 1.25f);
+        Assert.InRange(heights.Max() - heights.Min(), 0f, 0.001f);
+
+        void Fly(float seconds, float climb, List<float>? seen)
+        {
+            for (int i = 0; i < seconds * 60f; i++)
+            {
+                animator.Update(1f / 60f, new MotionInput(1f, ClimbRate: climb, Medium: MotionMedium.Air), FlatGround.Level);
+                seen?.Add(animator.Root.Position.Y / profile.LegLength);
+            }
         }
     }
 
