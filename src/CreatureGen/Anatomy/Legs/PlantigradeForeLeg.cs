@@ -58,7 +58,7 @@ internal static class PlantigradeForeLeg
             MaxAdduction = 0.10f,
         },
         flight: new LegFlight(
-            tucked: new LegPosture(hip: 0.75, knee: -1.90, ankle: 1.80, ball: 0.60),
+            tucked: new LegPosture(hip: -0.30, knee: -1.25, ankle: 2.00, ball: 0.60),
             hanging: new LegPosture(hip: 0.15, knee: -0.80, ankle: 0.70, ball: 0.50),
             reaching: new LegPosture(hip: -0.30, knee: -0.20, ankle: 0.15, ball: 0.05)));
 }

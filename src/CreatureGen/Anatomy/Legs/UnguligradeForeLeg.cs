@@ -56,7 +56,7 @@ internal static class UnguligradeForeLeg
             Bend = -1,
         },
         flight: new LegFlight(
-            tucked: new LegPosture(hip: 0.75, knee: -1.85, ankle: 2.10, ball: 0.80),
+            tucked: new LegPosture(hip: -0.30, knee: -1.25, ankle: 2.20, ball: 0.80),
             hanging: new LegPosture(hip: 0.20, knee: -0.90, ankle: 1.20, ball: 0.70),
             reaching: new LegPosture(hip: -0.30, knee: -0.20, ankle: 0.15, ball: 0.05)));
 }

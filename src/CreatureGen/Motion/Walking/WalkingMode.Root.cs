@@ -154,6 +154,7 @@ internal sealed partial class WalkingMode
         (float goal, float aside) = Asked(input, scale, settings);
         placement = PlatformRide.Carry(planner.Feet, placement, ground, settings.Up);
         float left = dt;
+        float since = 0f;
         while (left > 0f)
         {
             if (ticker.Begins)
@@ -173,7 +174,8 @@ internal sealed partial class WalkingMode
                 height.Feel(placement, body, velocity, settings.Up, ground);
             }
 
-            Step(placement, h, dt - left, left, settings, ground);
+            since += h;
+            Step(placement, h, since, left, settings, ground);
         }
 
         FeelAcceleration(dt);
@@ -189,10 +191,12 @@ internal sealed partial class WalkingMode
             Approach(placement, dt, goal, out Vector3 way);
             placer.RootRaised((way.Y - (placer.Climb * velocity.Speed)) * dt);
             float left = dt;
+            float since = 0f;
             while (left > 0f)
             {
                 float h = ticker.Next(ref left);
-                Step(goal, h, dt - left, left, settings, ground, HasteOfPushed);
+                since += h;
+                Step(goal, h, since, left, settings, ground, HasteOfPushed);
             }
         }
     }

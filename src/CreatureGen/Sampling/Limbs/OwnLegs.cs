@@ -95,6 +95,9 @@ internal static class OwnLegs
     /// <summary>Length of the forelegs of a swimmer that has no others, relative to those of one on four: as long as these they are the legs of a walker under a fish.</summary>
     private const double ArmsAlone = 0.8;
 
+    /// <summary>Probability at full strangeness that a swimmer which a tail fin drives has arms for the fins beside it: hands on a fish look stuck on.</summary>
+    private const double ArmedFish = 0.4;
+
     /// <summary>Hangs the legs of a swimmer that has any: before a tail fin that drives it hind legs would hang in its way, as whales and sea cows know.</summary>
     public static void Paddle(CreatureBuilder builder, LegStyle style)
     {
@@ -103,11 +106,17 @@ internal static class OwnLegs
             return;
         }
 
+        bool finned = FinSampler.IsDrivenByTailFin(builder);
+        if (finned && builder.MinLegPairs == 0 && !builder.Stream("arms of fish").Chance(ArmedFish * builder.Strangeness))
+        {
+            return;
+        }
+
         style = StyleOf(builder, style, preset);
         style = style with { FootSize = PaddleFoot * style.FootSize };
         SpineMeasure measure = LegSampler.Measure(builder);
         double reach = CreatureBuilder.Between(builder.Stream("reach"), preset.Reach);
-        bool frontOnly = FinSampler.IsDrivenByTailFin(builder) && builder.MinLegPairs < preset.Sites.Length;
+        bool frontOnly = finned && builder.MinLegPairs < preset.Sites.Length;
         foreach (LegSite site in preset.Sites)
         {
             if (frontOnly && site.Ring > BodyGrid.AnchorRing)

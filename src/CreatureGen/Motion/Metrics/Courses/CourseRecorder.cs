@@ -57,7 +57,9 @@ internal sealed class CourseRecorder
         var feet = new Vector3[animator.StandsOnFeet ? animator.FootCount : 0];
         for (int i = 0; i < feet.Length; i++)
         {
-            feet[i] = animator.Root.ToWorld(model.Positions[animator.Foot(i).Joint]);
+            FootReport foot = animator.Foot(i);
+            Vector3 ball = animator.Root.ToWorld(model.Positions[foot.Joint]);
+            feet[i] = foot.Phase == FootPhase.Stance ? new Vector3(ball.X, foot.Place.Y, ball.Z) : foot.Place;
         }
 
         return new RestingPlace(animator.Root.Position, feet, animator.Profile.LegLength);

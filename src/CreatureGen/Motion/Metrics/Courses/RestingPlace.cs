@@ -7,7 +7,7 @@ namespace CreatureGen.Motion.Metrics.Courses;
 
 /// <summary>Where a creature and its feet are at the end of a course, world space.</summary>
 /// <param name="Root">Its root.</param>
-/// <param name="Feet">Its feet, the balls of; empty for what is not on its feet.</param>
+/// <param name="Feet">On the ground below the balls of its feet, or where those that take a last step are going; empty for what is not on its feet.</param>
 /// <param name="LegLength">Metres.</param>
 internal sealed record RestingPlace(Vector3 Root, IReadOnlyList<Vector3> Feet, float LegLength)
 {
