@@ -72,6 +72,9 @@ internal sealed class FlyingMode : IWingedMode
 
     public bool Escapes => false;
 
+    /// <summary>How far it gives way on its legs, metres of the model: within one long update it comes down and does so.</summary>
+    private float Sink => (float)(profile.CrouchDepth * state.CrouchDepth);
+
     /// <summary>How it is where nothing is asked of it.</summary>
     private FlightState Resting => legs != null ? FlightState.OnGround : FlightState.Hovering(profile);
 
@@ -91,7 +94,7 @@ internal sealed class FlyingMode : IWingedMode
             float gone = left - state.Left;
             if (before)
             {
-                legs!.Sink = (float)(profile.CrouchDepth * state.CrouchDepth);
+                legs!.Sink = Sink;
                 place = legs.Update(place, gone, OnFoot(phase, input, place.Scale), settings, ground, layer, stance.Cleared());
                 Speed = legs.Speed;
             }
@@ -249,7 +252,7 @@ internal sealed class FlyingMode : IWingedMode
     private void Arrive(in RootPlace place, in MotionSettings settings, IGround ground, BodyLayer? layer)
     {
         float speed = Math.Max(Speed, 0f);
-        legs!.Sink = 0f;
+        legs!.Sink = Sink;
         legs.Arrive(place, speed, state.Foreseen ?? speed, turn, settings, ground, layer, stance.Cleared());
     }
 
