@@ -7,6 +7,7 @@ using CreatureGen.Creatures;
 using CreatureGen.Motion;
 using CreatureGen.Motion.Flying;
 using CreatureGen.Rigging;
+using CreatureGen.Sampling;
 using Xunit;
 
 namespace CreatureGen.Tests.Motion.Flying;
@@ -22,6 +23,10 @@ public sealed class FlightSilhouetteTests
 
     /// <summary>Least that knees of insects fold in flight, radians more than as they stand.</summary>
     private const double LeastFold = 0.8;
+
+    /// <summary>Least part of a fore leg's forearm by which it goes ahead in flight, and of what comes behind the wrist by which it hangs.</summary>
+    private const float LeastAhead = 0.6f;
+    private const float LeastHanging = 0.5f;
 
     [Fact]
     public void Knees_of_birds_are_behind_their_hips_in_flight()
@@ -74,6 +79,26 @@ public sealed class FlightSilhouetteTests
         Assert.True(knees > 40);
     }
 
+    /// <summary>Drawn in below the chest, with the forearm upright and the paw laid back, they were seen as the letter L from ahead and beside.</summary>
+    [Fact]
+    public void Fore_legs_of_four_footed_fliers_reach_ahead_with_level_forearms_and_let_their_feet_hang()
+    {
+        int arms = 0;
+        IEnumerable<Creature> mixed = Enumerable.Range(24810300, 24).Select(seed => CreatureGenerator.Generate((ulong)seed, CreatureOptions.Default with { Kind = RequestedKind.Flying }));
+        foreach (StrokeSubject body in Cruising(mixed, 1))
+        {
+            foreach (LimbChain leg in body.Creature.Limbs.Where(limb => limb.Archetype is LimbArchetype.DigitigradeFore or LimbArchetype.PlantigradeFore or LimbArchetype.UnguligradeFore))
+            {
+                Vector3 forearm = Vector3.Normalize(body.ModelPositions[leg.Joints[3]] - body.ModelPositions[leg.Joints[2]]);
+                Vector3 foot = Vector3.Normalize(body.ModelPositions[leg.Joints[4]] - body.ModelPositions[leg.Joints[3]]);
+                Assert.True(forearm.Z > LeastAhead && foot.Y < -LeastHanging, FormattableString.Invariant($"{body.Creature.Blueprint.Seed}: a forearm goes {forearm}, its foot {foot}"));
+                arms++;
+            }
+        }
+
+        Assert.True(arms > 10);
+    }
+
     private static double Fold(ReadOnlySpan<Vector3> positions, LimbChain leg)
     {
         Vector3 thigh = Vector3.Normalize(positions[leg.Joints[2]] - positions[leg.Joints[1]]);
@@ -82,9 +107,11 @@ public sealed class FlightSilhouetteTests
     }
 
     /// <summary>Some animals of a plan as they cruise, each at so many moments of a beat.</summary>
-    private static IEnumerable<StrokeSubject> Cruising(BodyPlan plan, int count, int moments)
+    private static IEnumerable<StrokeSubject> Cruising(BodyPlan plan, int count, int moments) => Cruising(StrokeSubject.Of(plan, count), moments);
+
+    private static IEnumerable<StrokeSubject> Cruising(IEnumerable<Creature> creatures, int moments)
     {
-        foreach (Creature creature in StrokeSubject.Of(plan, count))
+        foreach (Creature creature in creatures)
         {
             FlightProfile profile = FlightProfile.Of(new MotionSubject(creature));
             var body = new StrokeSubject(creature);
