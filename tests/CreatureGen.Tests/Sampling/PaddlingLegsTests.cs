@@ -19,7 +19,7 @@ public sealed class PaddlingLegsTests
     public void No_hind_legs_of_a_swimmer_hang_in_the_way_of_a_tail_fin_that_drives_it(double strangeness)
     {
         CreatureBlueprint[] legged = Driven(CreatureOptions.Default with { Kind = RequestedKind.Swimming, Strangeness = strangeness });
-        Assert.InRange(legged.Length, 10, 400);
+        Assert.InRange(legged.Length, 10, 200);
         Assert.DoesNotContain(legged, creature => creature.Legs.Any(leg => leg.Socket.Ring > BodyGrid.AnchorRing));
     }
 

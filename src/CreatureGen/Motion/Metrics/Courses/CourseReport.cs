@@ -48,7 +48,7 @@ public sealed record CourseReport(int Frames, float Seconds, float LimitExcess, 
     /// <summary>Longest time with no foot down, seconds.</summary>
     public float? LongestFlight { get; init; }
 
-    /// <summary>Farthest that a resting foot ended from where it does at 480 Hz, world space.</summary>
+    /// <summary>Farthest that a resting foot ended from where it does at 480 Hz, leg lengths; of one that still takes its last step, where that goes.</summary>
     public float? RestingFootSpread { get; init; }
 
     /// <summary>How far the root ended from where it does at 480 Hz, world space.</summary>
