@@ -166,6 +166,9 @@ export async function checkHands({ claim, require, page }) {
       await library.call('Place', 30, -1.6 * unit, 0, -0.8 * unit, 0);
       const other = await herd.settle(30, JSON.parse(await library.call('Grow', 30, '3', 'walking', 0, '', '')));
       other.name = 'Somebody';
+
+      // The eye is where the claim before left it; from some places no ground that is far enough is clicked before the other one is, a second time.
+      Object.assign(frame.orbit, { azimuth: 0.62, elevation: 0.3 });
       await frame.theatre.portrait(4);
       const live = async count => { for (let i = 0; i < count; i++) { await frame.theatre.advance(1 / 30); } };
       const onScreen = place => { const at = place.clone().project(orbit.camera); return [((at.x + 1) / 2) * innerWidth, ((1 - at.y) / 2) * innerHeight]; };
