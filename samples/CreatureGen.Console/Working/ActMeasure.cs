@@ -14,9 +14,10 @@ internal static class ActMeasure
     public static readonly Measure<MeasuredAct> Penetration = Of("penetrationMaxBodyLengths", run => run.Report.Penetration);
     public static readonly Measure<MeasuredAct> ContactError = Of("contactErrorMaxBodyLengths", run => run.Report.ContactError);
     public static readonly Measure<MeasuredAct> Slip = Of("footSlipMaxLegLengths", run => run.Report.FootSlip);
+    public static readonly Measure<MeasuredAct> Jolt = Of("trunkJoltMaxBodyLengths", run => run.Report.TrunkJolt);
 
     /// <summary>All, in the order of the JSON.</summary>
-    public static IReadOnlyList<Measure<MeasuredAct>> All { get; } = [LimitExcess, JointSpeed, Penetration, ContactError, Slip];
+    public static IReadOnlyList<Measure<MeasuredAct>> All { get; } = [LimitExcess, JointSpeed, Penetration, ContactError, Slip, Jolt];
 
     /// <summary>Those that a table shows.</summary>
     public static IReadOnlyList<MeasureColumn<MeasuredAct>> Columns { get; } =
@@ -26,6 +27,7 @@ internal static class ActMeasure
         new("sinks", Penetration, Units.Hundredths),
         new("misses", ContactError, Units.Hundredths),
         new("slip", Slip, Units.Hundredths),
+        new("jolt", Jolt, Units.Hundredths),
     ];
 
     private static Measure<MeasuredAct> Of(string name, Func<MeasuredAct, float?> value) => new(name, WorseFigure.Greater, value);

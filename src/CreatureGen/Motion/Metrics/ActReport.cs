@@ -11,6 +11,7 @@ namespace CreatureGen.Motion.Metrics;
 /// <param name="PenetrationJoint">The joint that carries the skin there; −1 for none.</param>
 /// <param name="ContactError">How far what strikes was from its target at the contact, parts of the body's length.</param>
 /// <param name="FootSlip">Most that a planted foot went from where it stood, leg lengths.</param>
+/// <param name="TrunkJolt">Farthest that the middle of the trunk was from half way between where it was .05 s before and where it was .05 s after, parts of the body's length: how abruptly it went, whichever way. Going evenly is 0, falling freely .012 m, and a body that is raised at once half of what it is raised by.</param>
 public sealed record ActReport(
     int Frames,
     float Seconds,
@@ -21,4 +22,5 @@ public sealed record ActReport(
     float? Penetration,
     int PenetrationJoint,
     float? ContactError,
-    float? FootSlip);
+    float? FootSlip,
+    float TrunkJolt);

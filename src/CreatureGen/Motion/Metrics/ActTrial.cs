@@ -17,6 +17,9 @@ public sealed record ActTrial(ActAbility Ability)
     private const float Rate = 240f;
     private const int SkinEach = 8;
 
+    /// <summary>Updates from one of the three moments to the next between which a trunk is watched: a twentieth of a second.</summary>
+    private const int JoltUpdates = 12;
+
     /// <summary>Seconds before the act and after it.</summary>
     private const float SettleSeconds = 0.25f;
 
@@ -42,6 +45,7 @@ public sealed record ActTrial(ActAbility Ability)
         float standing = skin.Lowest;
         var joints = new JointWatch(profile);
         var feet = new PlantedFeet(animator);
+        var trunk = new TrunkWatch(profile.Subject.Skeleton, JoltUpdates);
         joints.Record(animator.LocalPose.Rotations, 1f / Rate);
         animator.Perform(Ability, Ability.Act.Reaches ? ActTarget.At(Ability.Usual) : default);
         float lasting = Ability.SecondsToLast;
@@ -58,6 +62,7 @@ public sealed record ActTrial(ActAbility Ability)
             animator.Update(1f / Rate, default, FlatGround.Level);
             joints.Record(animator.LocalPose.Rotations, 1f / Rate);
             feet.Record();
+            trunk.Record(animator.Root, animator.ModelPose);
             if (i % SkinEach == 0)
             {
                 skin.Record(animator.ModelPose);
@@ -71,7 +76,7 @@ public sealed record ActTrial(ActAbility Ability)
 
         bool grounded = profile.Legs != null || profile.Slither != null;
         float sunk = Math.Max(0f, Math.Min(standing, 0f) - skin.Lowest) / profile.Acts.Body.Size;
-        return new ActReport(frames, seconds, (float)joints.Excess, joints.ExcessJoint, joints.Speed, joints.SpeedJoint, grounded ? sunk : null, grounded && sunk > 0f ? skin.LowestJoint : -1, error, profile.Legs == null ? null : feet.Worst);
+        return new ActReport(frames, seconds, (float)joints.Excess, joints.ExcessJoint, joints.Speed, joints.SpeedJoint, grounded ? sunk : null, grounded && sunk > 0f ? skin.LowestJoint : -1, error, profile.Legs == null ? null : feet.Worst, trunk.Jolt / profile.Acts.Body.Size);
     }
 
     /// <summary>Watches how low the skin comes.</summary>

@@ -39,6 +39,9 @@ public class ActTrialTests
                 Check("sinks", report.Penetration ?? 0f, 0.02f);
                 Check("misses", report.ContactError ?? 0f, 0.02f);
 
+                // Fish dart off as they flinch; nobody jumps as it lies down, sleeps or dies.
+                Check("jolts", report.TrunkJolt, trial.Ability.Act.Kind == ActKind.Posture ? 0.07f : 0.12f);
+
                 void Check(string what, float value, float most)
                 {
                     if (!(value <= most))
