@@ -290,6 +290,16 @@ public class ActTrialTests
         Assert.InRange(report.JointSpeed, 0f, 30f);
     }
 
+    /// <summary>Its fore feet lay straight out beside its hips, along the hinges of their knees: as they came back these legs turned round at once, the lower one under the body, which it threw up by .65 m.</summary>
+    [Fact]
+    public void A_body_that_topples_is_not_thrown_up_by_a_leg_that_turns_round_below_it()
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(24800458, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        ActReport report = new ActTrial(profile.Acts.Find("Die")).Run(profile);
+        Assert.InRange(report.JointSpeed, 0f, 20f);
+        Assert.InRange(report.TrunkJolt, 0f, 0.03f);
+    }
+
     [Theory]
     [InlineData(7100003, Explicit = true)]
     [InlineData(7100059, Explicit = true)]

@@ -37,6 +37,10 @@ internal static class FoldSearch
     /// <summary>What a foot costs that its ankle does not let turn as it is asked, for each square of a radian: far beyond its limit it would come round from the other side.</summary>
     private const float TurnCost = 0.15f;
 
+    /// <summary>Sine of how far out to the side a foot of a leg below its body lies from its hip, along the hinge of its knee, from which on that costs, and what: no bend of the knee brings it there, and as it comes back the plane of its leg turns round at once.</summary>
+    private const float FarAside = 0.9f;
+    private const float AsideCost = 8f;
+
     /// <summary>In which steps it is sought how far a body rolls over, radians.</summary>
     private const float TurnStep = 0.05f;
 
@@ -228,11 +232,20 @@ internal static class FoldSearch
             Set(numbers);
             stage.Show(values);
             float lowest = skin.Lowest(stage.Model) / rig.Length;
-            float miss = Vec.Distance(stage.Model.Positions[rig.Ball], rig.Home + ways.Ways[left] + new Vector3(0f, rig.BallHeight, 0f)) / rig.Length;
+            Vector3 asked = rig.Home + ways.Ways[left] + new Vector3(0f, rig.BallHeight, 0f);
+            float miss = Vec.Distance(stage.Model.Positions[rig.Ball], asked) / rig.Length;
             Quaternion foot = Rotation.Multiply(stage.Model.Rotations[rig.Ball], Rotation.Inverse(body.Skeleton.ModelRotations[rig.Ball]));
             float turned = (float)Rotation.Angle(Rotation.Multiply(Rotation.Inverse(AxisRotation.About(rig.RollAxis, numbers[3])), foot));
             float way = (numbers[0] * numbers[0]) + (numbers[1] * numbers[1]) + (0.1f * numbers[3] * numbers[3]);
-            return (SunkCost * Math.Max(0f, -lowest)) + (FloatingCost * Math.Max(0f, lowest)) + (MissCost * miss) + (WayCost * way) + (TurnCost * turned * turned) + (isLaid ? Upright() : 0f);
+            return (SunkCost * Math.Max(0f, -lowest)) + (FloatingCost * Math.Max(0f, lowest)) + (MissCost * miss) + (WayCost * way) + (TurnCost * turned * turned) + (isLaid ? Upright() : Aside(asked));
+        }
+
+        // How far the foot of a leg below its body is out to the side of its hip. One that is out there already turns about the line to it.
+        float Aside(Vector3 asked)
+        {
+            Vector3 chord = asked - stage.Model.Positions[rig.Hip];
+            float sine = rig.Lateral ? 0f : Math.Abs(Vec.Dot(chord, rig.Hinge)) / Math.Max(Vec.Length(chord), 1e-6f);
+            return AsideCost * Math.Max(0f, sine - FarAside);
         }
 
         // What of a leg out to the side is not laid beside the body.
