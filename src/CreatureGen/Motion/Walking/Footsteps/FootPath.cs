@@ -35,6 +35,12 @@ internal struct FootPath
     /// <summary>Its pitch, fold and load, without a jump where it leaves the cycle.</summary>
     public PostureFade Posture;
 
+    /// <summary>Whether it stood when it was posed last.</summary>
+    public bool Stands;
+
+    /// <summary>By how much it has rolled down in the update in which it came down, radians, toes down; 0 in all others.</summary>
+    public float RolledDown;
+
     /// <summary>How far its leg lies over about the line from hip to foot for an act, radians, the knee ahead.</summary>
     public float Lean;
 

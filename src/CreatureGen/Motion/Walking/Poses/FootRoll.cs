@@ -129,6 +129,9 @@ internal static class FootRoll
         return (off * (1f + (2f * x)) * y * y) + (rate * x * y * y) + (peak * x * x * (3f - (2f * x)));
     }
 
+    /// <summary>By how much a foot that stands has rolled down since it came down, radians, toes down.</summary>
+    public static float RolledDown(in Foot foot, LegRig leg) => -leg.Traits.Strike * (1f - foot.Plan.From.Whole) * Scalar.Smooth(foot.Stance / FlatFrom);
+
     /// <summary>Fold of the metatarsus beyond its link to the thigh, radians.</summary>
     /// <param name="foot">Its place in the cycle.</param>
     /// <param name="traits">Of its leg.</param>
@@ -144,6 +147,9 @@ internal static class FootRoll
         float most = FastestRoll * swing / FoldSlope;
         return (Scalar.Clamp(traits.Fold, -most, most) * traits.FoldCurve.At(u)) + (traits.Unfold * Scalar.Smooth((u - 0.52f) / 0.28f) * (1f - Scalar.Smooth((u - 0.80f) / 0.20f)));
     }
+
+    /// <summary>Pitch of what a foot stands on: the toes of a flat one, and all of others.</summary>
+    public static float SolePitch(LegRig leg, float pitch) => leg.FlatFoot ? ToePitch(pitch) : pitch;
 
     /// <summary>Pitch of the toes of a flat foot, whose heel rises about the ball first.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -16,7 +16,7 @@ namespace CreatureGen.Motion.Walking.Poses;
 internal sealed class LegPoser
 {
     /// <summary>How often a foot that yields to its joints is laid on the ground anew at most.</summary>
-    private const int RelaxationRounds = 3;
+    private const int RelaxationRounds = 5;
 
     /// <summary>How much farther it is laid at most than its joints ask at that moment, since they ask for more as it is laid; of legs that are folded up, whose joints ask for more than that, no farther: half the angles in radians.</summary>
     private const float MostGain = 1.5f;
@@ -112,7 +112,7 @@ internal sealed class LegPoser
         foot.Leg.Relaxation = foot.Phase == FootPhase.Swing ? foot.Leg.Relaxation : excess;
         float fraction = excess > 0f ? limit.Relaxed(leg, foot, excess) : 0f;
         bool turned = stands && fraction > 0f;
-        float pitch = leg.FlatFoot ? FootRoll.ToePitch(foot.Path.Posture.Shown.Pitch) : foot.Path.Posture.Shown.Pitch;
+        float pitch = FootRoll.SolePitch(leg, foot.Path.Posture.Shown.Pitch);
 
         // As the ankle comes up for it the shank leans farther, and asks for more. A foot that stands is laid until it is there, each time as much farther as the last was too little: what was left of it came and went, and dragged the foot. Those of linked legs get there by themselves.
         float renewed = stands ? 1f : laid;
@@ -125,6 +125,11 @@ internal sealed class LegPoser
             LimitRelaxation.Turn(leg, foot.Path.Normal, linked ? toes : metatarsus, toes, pitch, fraction, ref wanted);
             if (stands)
             {
+                if (i == 0)
+                {
+                    SoleHold.RollDown(leg, pose, wanted, ref foot);
+                }
+
                 SoleHold.Keep(leg, ref foot, ref wanted);
             }
 

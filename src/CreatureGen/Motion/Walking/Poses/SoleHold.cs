@@ -18,6 +18,9 @@ internal static class SoleHold
     /// <summary>How far it may be away at most, leg lengths: farther on it slips.</summary>
     private const float Farthest = 0.15f;
 
+    /// <summary>By how much a foot rolls down in a step at most, radians.</summary>
+    private const float RollStep = 0.02f;
+
     /// <summary>Takes a foot to where it is away from its place, as far as it still is.</summary>
     /// <param name="state">Its state.</param>
     /// <param name="pose">Where the leg has to bring the foot.</param>
@@ -36,6 +39,23 @@ internal static class SoleHold
         }
 
         pose.MoveBy(Rotation.Rotate(state.Path.Planned, state.Leg.Turned.Away) * kept);
+    }
+
+    /// <summary>Rolls down a foot that has come down turned in this update, step by step: what a long update leaves out of its roll would be missing from where it stands.</summary>
+    /// <param name="leg">Whose.</param>
+    /// <param name="level">How the foot would lie now.</param>
+    /// <param name="lies">How it lies now.</param>
+    /// <param name="state">Its state: remembers how it lay just before.</param>
+    public static void RollDown(LegRig leg, in FootPose level, in FootPose lies, ref Foot state)
+    {
+        float rolled = state.Path.RolledDown;
+        int steps = (int)Math.Ceiling(Math.Abs(rolled) / RollStep);
+        for (int i = steps; i > 0; i--)
+        {
+            FootPose then = RolledBack(leg, level, lies, rolled * i / steps, state);
+            Keep(leg, ref state, ref then);
+            Remember(ref state, then);
+        }
     }
 
     /// <summary>Takes a foot that stands turned to where what of its sole is down stays, however the ground slants.</summary>
@@ -72,6 +92,23 @@ internal static class SoleHold
         turned.Foot = Rotation.Multiply(inverse, pose.Foot);
         turned.Toes = Rotation.Multiply(inverse, pose.Toes);
         turned.Ball = Rotation.Rotate(inverse, pose.Ball - state.Path.Base);
+    }
+
+    /// <summary>How a foot lay before it rolled down by an angle, turned as it is now.</summary>
+    private static FootPose RolledBack(LegRig leg, in FootPose level, in FootPose lies, float angle, in Foot state)
+    {
+        float pitch = state.Path.Posture.Shown.Pitch;
+        float toes = FootRoll.SolePitch(leg, pitch);
+        float toesThen = FootRoll.SolePitch(leg, pitch - angle);
+        Quaternion ground = Rotation.Multiply(level.Toes, AxisRotation.About(leg.RollAxis, -toes));
+        Quaternion footBack = AxisRotation.About(leg.RollAxis, -angle);
+        Quaternion toesBack = AxisRotation.About(leg.RollAxis, toesThen - toes);
+        FootPose then = level;
+        then.Foot = Rotation.Multiply(level.Foot, footBack);
+        then.Toes = Rotation.Multiply(level.Toes, toesBack);
+        then.Ball += Rotation.Rotate(ground, FootRoll.BallAt(leg, state, toesThen) - FootRoll.BallAt(leg, state, toes));
+        LimitRelaxation.Turn(leg, state.Path.Normal, Rotation.Multiply(lies.Foot, footBack), Rotation.Multiply(lies.Toes, toesBack), toesThen, 1f, ref then);
+        return then;
     }
 
     /// <summary>How far the turn alone would take what of the sole is down: half of it by how the foot lay, half by how it lies, so that there and back again comes to nothing.</summary>

@@ -121,9 +121,11 @@ public sealed class CourseBoundsTests
     /// <summary>
     /// Feet of claws were turned about the middle of their soles with their legs (.007), toes of a grasshopper were not in the outline on which its feet roll (.023), hips of a bird came to their end between two decisions (.056),
     /// a sprawler came to rest on stairs on a foot that its leg did not reach (.031), and feet of fliers that legs on the ground did not reach down to were drawn along the ground as these came nearer (.011 and .006);
-    /// those that had come to rest under a body on many legs were dragged for seconds by one that crept on, more slowly than counts as going (.100), and those of a bird that rested on stairs behind its hips, where their soles had room, as it stood up (.121).
+    /// those that had come to rest under a body on many legs were dragged for seconds by one that crept on, more slowly than counts as going (.100), and those of a bird that rested on stairs behind its hips, where their soles had room, as it stood up (.121);
+    /// the ankle of a centaur in the sharpest turn of its gallop came up faster than its foot was laid anew (.023).
     /// </summary>
     [Theory]
+    [InlineData(RequestedKind.Walking, 24810052UL, "keys", 0.02f)]
     [InlineData(RequestedKind.Flying, 24780046UL, "runner", 0.01f)]
     [InlineData(RequestedKind.Flying, 24552057UL, "keys", 0.005f)]
     [InlineData(RequestedKind.Flying, 24710029UL, "spin", 0.003f)]
@@ -143,11 +145,16 @@ public sealed class CourseBoundsTests
         Assert.InRange(report.LimitExcess * DegreesPerRadian, 0f, 0.1f);
     }
 
-    /// <summary>A foot that had set off under a body that went came down .037 of a leg from its home as that stood still, and stayed there, at one rate of three.</summary>
-    [Fact(Explicit = true)]
-    public void Feet_come_to_rest_in_the_same_places_at_every_frame_rate()
+    /// <summary>
+    /// A foot that had set off under a body that went came down .037 of a leg from its home as that stood still, and stayed there, at one rate of three;
+    /// what a turned foot rolled down in the update in which it came down was missing from where it stood (.0105).
+    /// </summary>
+    [Theory(Explicit = true)]
+    [InlineData(23153321)]
+    [InlineData(24810078)]
+    public void Feet_come_to_rest_in_the_same_places_at_every_frame_rate(ulong seed)
     {
-        var profile = new MotionProfile(CreatureGenerator.Generate(23153321, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
         foreach ((MotionCourse course, CourseReport report) in MotionCourse.RunAll(profile))
         {
             Assert.False(report.RestingFootSpread > 0.01f, $"{course.Rate}: {report.RestingFootSpread} leg lengths apart");

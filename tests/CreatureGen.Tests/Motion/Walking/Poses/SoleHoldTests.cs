@@ -75,6 +75,32 @@ public sealed class SoleHoldTests
         Assert.True(slip < 0.02f, $"{slip} legs of slip");
     }
 
+    [Theory]
+    [InlineData(3)]
+    [InlineData(9)]
+    [InlineData(42)]
+    public void A_turned_foot_that_has_rolled_down_within_one_update_stands_where_it_does_after_many(ulong seed)
+    {
+        const float strike = -0.2f;
+        (LegRig leg, Foot often, FootPose flat) = Standing(seed);
+        Foot once = often;
+        FootPose stands = flat;
+        for (int i = 0; i <= 200; i++)
+        {
+            FootPose rolled = RolledTo(leg, often, flat, strike * (1f - (i / 200f)));
+            stands = Turned(leg, rolled, Rotation.Multiply(Tilt(leg), rolled.Foot));
+            Hold(leg, ref often, ref stands);
+        }
+
+        FootPose pose = Turned(leg, flat, Tilt(leg));
+        once.Path.RolledDown = -strike;
+        SoleHold.RollDown(leg, flat, pose, ref once);
+        SoleHold.Keep(leg, ref once, ref pose);
+        float way = Vec.Length(often.Leg.Turned.Away);
+        Assert.True(way > 0.001f * leg.Length, $"{way / leg.Length} legs: nothing to miss");
+        Assert.True(Vec.Distance(stands.Ball, pose.Ball) < 0.02f * way, $"{Vec.Distance(stands.Ball, pose.Ball)} of {way} metres apart");
+    }
+
     private static void Hold(LegRig leg, ref Foot foot, ref FootPose pose)
     {
         SoleHold.Carry(ref foot, ref pose);
@@ -108,6 +134,17 @@ public sealed class SoleHoldTests
         Quaternion twist = Rotation.FromAxisAngle(Vector3.UnitY, 0.4f * way);
         Quaternion roll = Rotation.FromAxisAngle(Rotation.Rotate(Rotation.FromAxisAngle(Vector3.UnitY, 2.5f * way), leg.RollAxis), 0.25f);
         return Rotation.Multiply(roll, twist);
+    }
+
+    /// <summary>A foot that stands tilted about an axis between its length and its width.</summary>
+    private static Quaternion Tilt(LegRig leg) => Rotation.FromAxisAngle(Rotation.Rotate(Rotation.FromAxisAngle(Vector3.UnitY, 1.2f), leg.RollAxis), 0.3f);
+
+    /// <summary>A foot pitched about its heel or its tip.</summary>
+    private static FootPose RolledTo(LegRig leg, in Foot foot, FootPose flat, float pitch)
+    {
+        Quaternion turn = Rotation.FromAxisAngle(leg.RollAxis, pitch);
+        Vector3 ball = flat.Ball + FootRoll.BallAt(leg, foot, pitch) - new Vector3(0f, leg.BallHeight, 0f);
+        return new FootPose { Ball = ball, Target = ball, Foot = turn, Toes = turn };
     }
 
     /// <summary>The foot turned as its joints let it, as it is without being held.</summary>
