@@ -127,7 +127,7 @@ internal sealed class LegPoser
             {
                 if (i == 0)
                 {
-                    SoleHold.RollDown(leg, pose, wanted, ref foot);
+                    SoleHold.RollDown(leg, pose, ref foot, ref wanted);
                 }
 
                 SoleHold.Keep(leg, ref foot, ref wanted);

@@ -44,18 +44,22 @@ internal static class SoleHold
     /// <summary>Rolls down a foot that has come down turned in this update, step by step: what a long update leaves out of its roll would be missing from where it stands.</summary>
     /// <param name="leg">Whose.</param>
     /// <param name="level">How the foot would lie now.</param>
-    /// <param name="lies">How it lies now.</param>
     /// <param name="state">Its state: remembers how it lay just before.</param>
-    public static void RollDown(LegRig leg, in FootPose level, in FootPose lies, ref Foot state)
+    /// <param name="lies">How it lies now: is taken to where it has come to by then.</param>
+    public static void RollDown(LegRig leg, in FootPose level, ref Foot state, ref FootPose lies)
     {
         float rolled = state.Path.RolledDown;
+        Vector3 carried = state.Leg.Turned.Away;
         int steps = (int)Math.Ceiling(Math.Abs(rolled) / RollStep);
         for (int i = steps; i > 0; i--)
         {
             FootPose then = RolledBack(leg, level, lies, rolled * i / steps, state);
+            then.MoveBy(Rotation.Rotate(state.Path.Planned, state.Leg.Turned.Away - carried));
             Keep(leg, ref state, ref then);
             Remember(ref state, then);
         }
+
+        lies.MoveBy(Rotation.Rotate(state.Path.Planned, state.Leg.Turned.Away - carried));
     }
 
     /// <summary>Takes a foot that stands turned to where what of its sole is down stays, however the ground slants.</summary>

@@ -83,6 +83,8 @@ public sealed class SoleHoldTests
     {
         const float strike = -0.2f;
         (LegRig leg, Foot often, FootPose flat) = Standing(seed);
+        often.Leg.Turned.Away = new Vector3(0.01f, 0f, -0.02f) * leg.Length;
+        Vector3 before = often.Leg.Turned.Away;
         Foot once = often;
         FootPose stands = flat;
         for (int i = 0; i <= 200; i++)
@@ -92,11 +94,13 @@ public sealed class SoleHoldTests
             Hold(leg, ref often, ref stands);
         }
 
-        FootPose pose = Turned(leg, flat, Tilt(leg));
+        FootPose level = flat;
+        SoleHold.Carry(ref once, ref level);
+        FootPose pose = Turned(leg, level, Tilt(leg));
         once.Path.RolledDown = -strike;
-        SoleHold.RollDown(leg, flat, pose, ref once);
+        SoleHold.RollDown(leg, level, ref once, ref pose);
         SoleHold.Keep(leg, ref once, ref pose);
-        float way = Vec.Length(often.Leg.Turned.Away);
+        float way = Vec.Distance(often.Leg.Turned.Away, before);
         Assert.True(way > 0.001f * leg.Length, $"{way / leg.Length} legs: nothing to miss");
         Assert.True(Vec.Distance(stands.Ball, pose.Ball) < 0.02f * way, $"{Vec.Distance(stands.Ball, pose.Ball)} of {way} metres apart");
     }
