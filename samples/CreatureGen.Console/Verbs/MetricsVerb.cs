@@ -15,7 +15,7 @@ internal sealed class MetricsVerb : IVerb
 
     private static readonly OptionSyntax ground = new("--ground", "GROUND", "with --course: this ground alone: flat, rough, stairs, slope, gap, platform, lift, water, stones or pipe");
 
-    private static readonly OptionSyntax acts = new("--acts", null, "measure everything that they can do beside going instead: joint limits and speeds, sinking, how near contacts are to their targets, slip of planted feet");
+    private static readonly OptionSyntax acts = new("--acts", null, "measure everything that they can do beside going instead: joint limits and speeds, sinking, how near contacts are to their targets, slip of planted feet, jolts of the trunk");
 
     /// <inheritdoc/>
     public VerbSyntax Syntax { get; } = new(

@@ -15,8 +15,9 @@ namespace CreatureGen.Motion.Walking.Poses;
 /// <summary>Writes the trunk and the legs into a local pose.</summary>
 internal sealed class LegPoser
 {
-    /// <summary>How often a foot that yields to its joints is laid on the ground anew at most.</summary>
-    private const int RelaxationRounds = 5;
+    /// <summary>How often a foot that yields to its joints is laid on the ground anew at most, and that of a leg that is not folded up.</summary>
+    private const int RelaxationRounds = 3;
+    private const int OpenRounds = 5;
 
     /// <summary>How much farther it is laid at most than its joints ask at that moment, since they ask for more as it is laid; of legs that are folded up, whose joints ask for more than that, no farther: half the angles in radians.</summary>
     private const float MostGain = 1.5f;
@@ -118,7 +119,8 @@ internal sealed class LegPoser
         float renewed = stands ? 1f : laid;
         float asked = excess;
         float gain = stands && !linked ? MostGain - ((MostGain - 1f) * Scalar.Smooth((excess - Foreseen) / (Unforeseen - Foreseen))) : 1f;
-        for (int i = 0; i < (renewed > 0f ? RelaxationRounds : 1) && fraction > 0f && excess > 0f; i++)
+        int rounds = renewed == 0f ? 1 : gain > 1f ? OpenRounds : RelaxationRounds;
+        for (int i = 0; i < rounds && fraction > 0f && excess > 0f; i++)
         {
             Quaternion level = wanted.Toes;
             Quaternion toes = Rotation.Multiply(metatarsus, turns.Of(local, leg.Ball));
