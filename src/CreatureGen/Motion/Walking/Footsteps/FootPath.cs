@@ -35,8 +35,8 @@ internal struct FootPath
     /// <summary>Its pitch, fold and load, without a jump where it leaves the cycle.</summary>
     public PostureFade Posture;
 
-    /// <summary>Whether it stood when it was posed last.</summary>
-    public bool Stands;
+    /// <summary>Whether it was in its swing when it was posed last.</summary>
+    public bool Swung;
 
     /// <summary>By how much it has rolled down in the update in which it came down, radians, toes down; 0 in all others.</summary>
     public float RolledDown;

@@ -65,9 +65,9 @@ internal static class FootPoser
 
         foot.Path.Heading = heading;
         foot.Path.Normal = normal;
-        bool stands = foot.Phase == FootPhase.Stance;
-        foot.Path.RolledDown = stands && !foot.Path.Stands ? FootRoll.RolledDown(foot, leg) * gait.Roll : 0f;
-        foot.Path.Stands = stands;
+        bool swings = foot.Phase == FootPhase.Swing;
+        foot.Path.RolledDown = foot.Path.Swung && !swings ? FootRoll.RolledDown(foot, leg) * gait.Roll : 0f;
+        foot.Path.Swung = swings;
         FootPosture cycle = FootRoll.At(foot, leg, gait);
         FootPosture posture = foot.Path.Posture.Follow(cycle with { Pitch = cycle.Pitch + rest }, leg.PostureSeconds, gait.Step);
         float pitch = posture.Pitch;

@@ -107,7 +107,7 @@ internal static class FootRoll
         }
 
         float off = Math.Min(most, 0.5f * FastestRoll * rising * duty * cycle);
-        float strike = traits.Strike * (1f - (foot.Phase == FootPhase.Stance ? foot.Plan.From.Whole : foot.Plan.To.Whole));
+        float strike = Strike(foot, traits);
         if (foot.Phase == FootPhase.Stance)
         {
             float rise = Scalar.Clamp(1f - ((1f - foot.Stance) / rising), 0f, 1f);
@@ -130,7 +130,10 @@ internal static class FootRoll
     }
 
     /// <summary>By how much a foot that stands has rolled down since it came down, radians, toes down.</summary>
-    public static float RolledDown(in Foot foot, LegRig leg) => -leg.Traits.Strike * (1f - foot.Plan.From.Whole) * Scalar.Smooth(foot.Stance / FlatFrom);
+    public static float RolledDown(in Foot foot, LegRig leg) => -Strike(foot, leg.Traits) * Scalar.Smooth(foot.Stance / FlatFrom);
+
+    /// <summary>Pitch at which a foot comes down, radians: all of its sole at once where that stands whole.</summary>
+    private static float Strike(in Foot foot, LegGaitParameters traits) => traits.Strike * (1f - (foot.Phase == FootPhase.Stance ? foot.Plan.From.Whole : foot.Plan.To.Whole));
 
     /// <summary>Fold of the metatarsus beyond its link to the thigh, radians.</summary>
     /// <param name="foot">Its place in the cycle.</param>

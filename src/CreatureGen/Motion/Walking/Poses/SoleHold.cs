@@ -49,6 +49,11 @@ internal static class SoleHold
     public static void RollDown(LegRig leg, in FootPose level, ref Foot state, ref FootPose lies)
     {
         float rolled = state.Path.RolledDown;
+        if (rolled == 0f)
+        {
+            return;
+        }
+
         Vector3 carried = state.Leg.Turned.Away;
         int steps = (int)Math.Ceiling(Math.Abs(rolled) / RollStep);
         for (int i = steps; i > 0; i--)

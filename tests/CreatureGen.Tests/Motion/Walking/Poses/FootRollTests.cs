@@ -1,4 +1,5 @@
 using System;
+using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
 using CreatureGen.Motion;
@@ -25,6 +26,29 @@ public sealed class FootRollTests
 
         Assert.Equal(0.8f, rate, 0.001f);
         Assert.Equal(0f, FootRoll.ToePitch(0.3f));
+    }
+
+    [Fact]
+    public void A_foot_has_rolled_down_in_the_update_in_which_it_comes_down_and_in_no_other()
+    {
+        LegRig leg = new MotionProfile(StrokeSubject.Of(BodyPlan.Plantigrade)[0]).Legs!.Legs[0];
+        var gait = new GaitNumbers(Duty: 0.65f, Lift: 1f, ForceDip: 0f, Activity: 1f, Roll: 0.5f, Cycle: 0.8f, Swing: 0.28f, Step: 0.01f);
+        Assert.NotEqual(0f, leg.Traits.Strike);
+        var home = new Foothold { Position = leg.Home, Heading = Quaternion.Identity, Normal = Vector3.UnitY };
+        var foot = new Foot { Plan = new FootPlan { Phase = FootPhase.Stance, Stance = 0.5f, From = home, To = home } };
+        Assert.Equal(0f, RolledDown());
+        foot.Plan.Phase = FootPhase.Swing;
+        foot.Plan.Swing = 0.9f;
+        Assert.Equal(0f, RolledDown());
+        foot.Plan.Phase = FootPhase.Stance;
+        Assert.Equal(-0.5f * leg.Traits.Strike, RolledDown(), 1e-6f);
+        Assert.Equal(0f, RolledDown());
+
+        float RolledDown()
+        {
+            FootPoser.Pose(leg, ref foot, new SwingClearance(), RootPlace.Identity, gait, 0f, out _);
+            return foot.Path.RolledDown;
+        }
     }
 
     [Theory]
