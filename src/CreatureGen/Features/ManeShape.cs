@@ -225,6 +225,12 @@ internal static class ManeShape
     {
         private const float Drop = 0.8f;
 
+        /// <summary>Upward part of the skin's normal where hair that lies on it ends: farther round it would cling to the body's underside, and from ahead be a frame around the face.</summary>
+        private const float Undercut = -0.1f;
+
+        /// <summary>Least share of the way to there that hair lies on as it is; what is longer ends closer and closer to there, so that its tips are not in one line.</summary>
+        private const double Unbent = 0.6;
+
         private readonly BodySkin skin;
         private readonly LockRoot root;
         private readonly double rootArc;
@@ -250,6 +256,13 @@ internal static class ManeShape
             segmentsAround = reach * PortableMath.Sin(fall) / Math.Max(perSegment, 1e-3f);
             alongBend = -0.5 * root.Bend * reach * PortableMath.Sin(fall);
             segmentsBend = 0.5 * root.Bend * reach * PortableMath.Cos(fall) / Math.Max(perSegment, 1e-3f);
+            if (mane.Hang == 0 && segmentsAround + segmentsBend > 0)
+            {
+                double shorter = Lying(segmentsAround + segmentsBend, Underside(skin, root) - root.Segment) / (segmentsAround + segmentsBend);
+                segmentsAround *= shorter;
+                segmentsBend *= shorter;
+            }
+
             rise = (float)(root.Length * PortableMath.Sin(mane.Rise));
             hang = (float)(root.Length * mane.Hang);
 
@@ -289,6 +302,26 @@ internal static class ManeShape
             }
 
             return root.Median ? new Vector3(0f, p.Y, p.Z) : p;
+        }
+
+        /// <summary>The segment at which the body begins to turn under, at the root of a lock.</summary>
+        private static double Underside(BodySkin skin, in LockRoot root)
+        {
+            int segment = (int)Math.Ceiling(root.Segment);
+            while (segment < BodyGrid.Segments / 2 && skin.At(root.Ring, segment).Normal.Y > Undercut)
+            {
+                segment++;
+            }
+
+            return segment;
+        }
+
+        /// <summary>How far a lock goes round that is as long as <paramref name="segments"/>, where there are as many as <paramref name="room"/>.</summary>
+        private static double Lying(double segments, double room)
+        {
+            double free = Unbent * room;
+            double rest = room - free;
+            return segments <= free ? segments : rest <= 0 ? Math.Max(free, 0) : free + (rest * (1 - PortableMath.Exp((free - segments) / rest)));
         }
     }
 }

@@ -51,9 +51,9 @@ internal static class NeckPresets
     public static readonly ManePreset Ruff = new(
         0.85,
         1.2,
-        new ManeBlueprint(Ring: 15.4, LastRing: 23.6, Segment: 0, LastSegment: 16, Rows: 7, Columns: 14, Length: 1.6, Growth: 1.1, Width: 0.17, Rise: 0.34, Fall: 0.65, Hang: 0.6),
+        new ManeBlueprint(Ring: 15.4, LastRing: 23.6, Segment: 0, LastSegment: 16, Rows: 7, Columns: 14, Length: 1.6, Growth: 1.1, Width: 0.17, Rise: 0.34, Fall: 0.65, Hang: 0.4),
         new ManeBlueprint(Ring: 15.3, LastRing: 16.8, Segment: 0, LastSegment: 13, Rows: 2, Columns: 14, Length: 1.4, Growth: 1.1, Width: 0.16, Rise: 0.9, Fall: 0.4, Hang: 0.2),
-        new ManeBlueprint(Ring: 13.4, LastRing: 14.6, Segment: 6.5, LastSegment: 14.5, Rows: 2, Columns: 9, Length: 1.1, Growth: 1.15, Width: 0.13, Rise: 0.6, Fall: 0.8, Hang: 0.4));
+        new ManeBlueprint(Ring: 13.4, LastRing: 14.6, Segment: 6.5, LastSegment: 14.5, Rows: 2, Columns: 9, Length: 1.1, Growth: 1.15, Width: 0.13, Rise: 0.6, Fall: 0.8, Hang: 0.3));
 
     /// <summary>A mane that falls to both sides of the neck and a forelock (horse).</summary>
     public static readonly ManePreset Falling = new(
@@ -75,7 +75,7 @@ internal static class NeckPresets
         1.2,
         new ManeBlueprint(Ring: 15, LastRing: 27, Segment: 0, LastSegment: 10.5, Rows: 7, Columns: 15, Length: 1.35, Growth: 0.65, Width: 0.13, Rise: 0.15, Fall: 0.95, Hang: 0.3),
         new ManeBlueprint(Ring: 11.8, LastRing: 14.6, Segment: 0, LastSegment: 2.4, Rows: 4, Columns: 5, Length: 0.62, Growth: 1, Width: 0.075, Rise: 0.35, Fall: 2.95, Hang: 0),
-        new ManeBlueprint(Ring: 12.4, LastRing: 20, Segment: 11.5, LastSegment: 16, Rows: 6, Columns: 7, Length: 1.15, Growth: 1.1, Width: 0.1, Rise: 0.25, Fall: 0.5, Hang: 0.8));
+        new ManeBlueprint(Ring: 12.4, LastRing: 20, Segment: 11.5, LastSegment: 16, Rows: 6, Columns: 7, Length: 1.15, Growth: 1.1, Width: 0.1, Rise: 0.25, Fall: 0.5, Hang: 0.6));
 
     /// <summary>A topknot, a beard along the throat and a tuft on the hump (camel).</summary>
     public static readonly ManePreset Beard = new(

@@ -118,6 +118,28 @@ public sealed class ManeShapeTests
         }
     }
 
+    /// <summary>Round the underside of a whale a horse's mane was an open frame around its face.</summary>
+    [Theory]
+    [InlineData(24816000, RequestedKind.Swimming)]
+    [InlineData(24834010, RequestedKind.Swimming)]
+    public void Hair_that_does_not_hang_ends_where_the_body_turns_under(ulong seed, RequestedKind kind)
+    {
+        CreatureBlueprint drawn = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = kind });
+        BodySkin skin = SkinOf(drawn);
+        ManeBlueprint falling = NeckPresets.Falling.Fields[0];
+        double unit = 0.5 * (skin.Shape.Top[StationRing.NeckMiddle] + skin.Shape.Bottom[StationRing.NeckMiddle]);
+        Build(falling with { Length = 1.2 * unit * falling.Length, Width = unit * falling.Width }, skin, out List<SkinAddress> addresses);
+        Assert.All(addresses, address => Assert.True(skin.At(address.Ring, address.Segment).Normal.Y > -0.35f, $"hair at ring {address.Ring}, segment {address.Segment}"));
+        Assert.Contains(addresses, address => address.Segment >= 6);
+    }
+
+    [Fact]
+    public void Hair_hangs_less_in_the_water_than_on_land()
+    {
+        double[] hangs = new[] { RequestedKind.Walking, RequestedKind.Swimming }.Select(kind => BlueprintSampler.Sample(24832011, CreatureOptions.Default with { Kind = kind }).Manes.Where(mane => mane.IsOfBody).Max(mane => mane.Hang)).ToArray();
+        Assert.True(hangs[1] > 0 && hangs[1] < 0.5 * hangs[0], $"{hangs[1]} of {hangs[0]}");
+    }
+
     [Fact]
     public void Hair_on_the_midline_is_single_and_all_other_hair_comes_in_pairs()
     {

@@ -20,6 +20,9 @@ internal static class NeckSampler
     /// <summary>Rise up to which hair lies on the skin, radians.</summary>
     private const double LyingHair = 0.25;
 
+    /// <summary>How far hair hangs down in the water, in what it does on land: it trails behind what swims.</summary>
+    private const double HangsInWater = 0.35;
+
     // How hair that is too long is cut.
     private const double Shortening = 0.88;
     private const int MaxCuts = 20;
@@ -92,7 +95,8 @@ internal static class NeckSampler
         double factor = Scalar.Lerp(preset.Min, preset.Max, size);
         foreach (ManeBlueprint mane in preset.Fields)
         {
-            ManeBlueprint cut = OffGround(builder, mane with { Length = mane.Length * factor * unit, Width = mane.Width * Math.Sqrt(factor) * unit });
+            double hang = builder.Kind == LocomotionKind.Swimming ? HangsInWater * mane.Hang : mane.Hang;
+            ManeBlueprint cut = OffGround(builder, mane with { Length = mane.Length * factor * unit, Width = mane.Width * Math.Sqrt(factor) * unit, Hang = hang });
             if (cut.Length >= MinHair && !LiesUnder(builder, cut) && !HangsFromFin(builder, cut))
             {
                 builder.Manes.Add(cut);
