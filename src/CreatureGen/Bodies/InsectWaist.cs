@@ -12,6 +12,9 @@ internal static class InsectWaist
     /// <summary>Rings before and behind the loin over which the body goes over into its waist: a foot of the thorax stands before them.</summary>
     private const int Reach = 4;
 
+    /// <summary>How full the end of a thorax is, in halves of a ball. Hollowed towards the stalk it is a bowl for who is behind it.</summary>
+    private const double Fullness = 0.92;
+
     /// <summary>Draws the body in at its loin until it is as thin as its first species asks for.</summary>
     public static void Constrict(BodyPlan plan, BodyBlueprint body, BodyShape shape)
     {
@@ -26,10 +29,29 @@ internal static class InsectWaist
         for (int ring = StationRing.Loin - Reach; ring <= StationRing.Loin + Reach; ring++)
         {
             double here = Scalar.Lerp(factor, 1, Scalar.Smooth(Math.Abs(ring - StationRing.Loin) / (double)Reach));
-            shape.Width[ring] *= here;
-            shape.Top[ring] *= here;
-            shape.Bottom[ring] *= here;
+            Scale(shape, ring, here);
         }
+
+        Fill(shape);
+    }
+
+    /// <summary>Rounds the end of the thorax off before the stalk.</summary>
+    private static void Fill(BodyShape shape)
+    {
+        double thorax = Size(shape, StationRing.Ribs);
+        for (int ring = StationRing.Ribs + 1; ring < StationRing.Loin; ring++)
+        {
+            double along = (ring - StationRing.Ribs) / (double)(StationRing.Loin - StationRing.Ribs);
+            double round = Fullness * thorax * Math.Sqrt(1 - (along * along));
+            Scale(shape, ring, Math.Max(1, round / Size(shape, ring)));
+        }
+    }
+
+    private static void Scale(BodyShape shape, int ring, double factor)
+    {
+        shape.Width[ring] *= factor;
+        shape.Top[ring] *= factor;
+        shape.Bottom[ring] *= factor;
     }
 
     /// <summary>Radius of the largest section, metres.</summary>

@@ -160,7 +160,6 @@ public sealed class NoiseTests
         var clouds = new ValueNoise(11);
         var plane = new PlaneNoise(11);
         var scatter = new WorleyNoise(11);
-        var centres = new PlateCentres(11);
         for (int n = 0; n < 4000; n++)
         {
             // Small steps mostly stay in a cell, and each tenth is a leap; the first is the cell at zero, where nothing is known yet.
@@ -169,7 +168,6 @@ public sealed class NoiseTests
             Assert.Equal(new PlaneNoise(11).At(point.X, point.Y), plane.At(point.X, point.Y));
             Assert.Equal(new WorleyNoise(11).Nearest(point).Distance, scatter.Nearest(point).Distance);
             Assert.Equal(new WorleyNoise(11).Gap(point, 0.3f), scatter.Gap(point, 0.3f));
-            Assert.Equal(new PlateCentres(11).Gap(point.X, point.Y), centres.Gap(point.X, point.Y));
         }
     }
 

@@ -77,4 +77,65 @@ public sealed class SkinReliefTests
         Assert.InRange(least, 0f, 0.4f);
         Assert.InRange(most, 0.75f, 1f);
     }
+
+    /// <summary>Scattered plates were stones in a wall, and a round abdomen a rough lump.</summary>
+    [Fact]
+    public void Plates_of_insects_are_rings_around_body_and_limbs()
+    {
+        var plates = new SkinRelief(SkinCover.Plates, 1f, 3);
+        for (int i = 0; i < 40; i++)
+        {
+            float around = 0.37f * i;
+            Assert.True(Lowest(along => plates.At(new Vector2(around, 5f + along))) < 0.1f);
+            Assert.True(Lowest(along => plates.OnBody(new Vector2(around, 0), 43 + (2 * (along - 0.5f)), 3)) < 0.1f);
+            Assert.True(plates.OnBody(new Vector2(around, 0), 45, 3) > 0.7f);
+            Assert.True(plates.OnBody(new Vector2(around, 0), 45, 25) < 0.1f == plates.OnBody(new Vector2(around, 0), 45, 7) < 0.1f, "both flanks are alike");
+        }
+
+        static float Lowest(Func<float, float> height)
+        {
+            float lowest = 1;
+            for (int k = 0; k < 100; k++)
+            {
+                lowest = Math.Min(lowest, height(0.01f * k));
+            }
+
+            return lowest;
+        }
+    }
+
+    [Fact]
+    public void A_plated_head_is_one_capsule_and_plated_flanks_have_a_seam()
+    {
+        var plates = new SkinRelief(SkinCover.Plates, 0.09f, 3);
+        for (int i = 0; i < 100; i++)
+        {
+            Assert.Equal(plates.OnBody(Vector2.Zero, 9, 3), plates.OnBody(new Vector2(0.013f * i, 0), 0.14f * i, 0.16f * i));
+        }
+
+        Assert.True(plates.OnBody(Vector2.Zero, 44.5f, 7.2f) < 0.05f && plates.OnBody(Vector2.Zero, 44.5f, 5.5f) > 0.5f);
+    }
+
+    [Theory]
+    [InlineData((int)SkinCover.Feathers)]
+    [InlineData((int)SkinCover.Scales)]
+    public void Feathers_and_scales_are_finer_on_limbs(int cover)
+    {
+        var relief = new SkinRelief((SkinCover)cover, 0.04f, 3);
+        Assert.True(Edges(relief.OnLimb) > 1.3 * Edges(place => relief.OnBody(place, 30, 5)));
+
+        static int Edges(Func<Vector2, float> height)
+        {
+            int edges = 0;
+            bool high = false;
+            for (int k = 0; k < 8000; k++)
+            {
+                float here = height(new Vector2(0.003f, 0.0005f * k));
+                edges += high && here < 0.6f ? 1 : 0;
+                high = here > 0.75f || (high && here >= 0.6f);
+            }
+
+            return edges;
+        }
+    }
 }

@@ -28,6 +28,19 @@ public sealed class InsectWaistTests
         Assert.True(waist < 1 && stalk <= Grooved * waist, FormattableString.Invariant($"{seed}: a stalk of {stalk:0.00}, a {creature.Body.Blend.First} has one of {waist:0.00}"));
     }
 
+    /// <summary>Hollowed towards its stalk it was a bowl for who is behind it.</summary>
+    [Theory]
+    [InlineData(24815007, RequestedKind.Walking)]
+    [InlineData(24815007, RequestedKind.Flying)]
+    public void A_thorax_ends_round_before_its_stalk(ulong seed, RequestedKind kind)
+    {
+        CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = kind });
+        BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
+        double half = SizeOf(shape, (StationRing.Ribs + StationRing.Loin) / 2) / SizeOf(shape, StationRing.Ribs);
+        double late = SizeOf(shape, StationRing.Loin - 2) / SizeOf(shape, StationRing.Ribs);
+        Assert.True(half > 0.75 && late > 0.55, FormattableString.Invariant($"{seed} is {half:0.00} and {late:0.00} of its thorax before the stalk"));
+    }
+
     [Fact]
     public void Wing_cases_go_on_over_the_waist()
     {
@@ -39,9 +52,9 @@ public sealed class InsectWaistTests
     private static double StalkOf(CreatureBlueprint creature)
     {
         BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
-        double Largest(int first, int last) => Enumerable.Range(first, last - first + 1).Max(Size);
-        return Size(StationRing.Loin) / Math.Min(Largest(StationRing.Shoulder, StationRing.Belly), Largest(StationRing.Pelvis, StationRing.TailTip));
-
-        double Size(int ring) => Math.Sqrt(shape.Width[ring] * 0.5 * (shape.Top[ring] + shape.Bottom[ring]));
+        double Largest(int first, int last) => Enumerable.Range(first, last - first + 1).Max(ring => SizeOf(shape, ring));
+        return SizeOf(shape, StationRing.Loin) / Math.Min(Largest(StationRing.Shoulder, StationRing.Belly), Largest(StationRing.Pelvis, StationRing.TailTip));
     }
+
+    private static double SizeOf(BodyShape shape, int ring) => Math.Sqrt(shape.Width[ring] * 0.5 * (shape.Top[ring] + shape.Bottom[ring]));
 }

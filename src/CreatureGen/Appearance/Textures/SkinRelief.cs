@@ -12,13 +12,19 @@ internal sealed class SkinRelief
     /// <summary>Where the edge of a scale or feather ends and begins, from its middle.</summary>
     private const float OuterEdge = 0.92f, InnerEdge = 0.82f;
 
+    /// <summary>Length of a feather in sizes of a cover, and where its soft edge begins: long ones with hard edges are plates of armour.</summary>
+    private const float FeatherLength = 1.25f, FeatherInnerEdge = 0.64f;
+
+    /// <summary>How much finer scales and feathers are on limbs than on the body, which is so much thicker.</summary>
+    private const float FinerOnLimbs = 1.5f;
+
     private readonly SkinCover cover;
     private readonly float perSize;
     private readonly float perRow;
     private readonly PlaneNoise broad;
     private readonly PlaneNoise coarse;
     private readonly PlaneNoise fine;
-    private readonly PlateCentres centres;
+    private readonly Tergites tergites;
 
     /// <summary>Chooses the relief.</summary>
     /// <param name="cover">What it is made of.</param>
@@ -27,17 +33,17 @@ internal sealed class SkinRelief
     public SkinRelief(SkinCover cover, float size, int salt)
     {
         this.cover = cover;
-        size = cover == SkinCover.Feathers ? 1.7f * size : size;
+        size = cover == SkinCover.Feathers ? FeatherLength * size : size;
         perSize = 1f / size;
         perRow = 1.15f * perSize;
         broad = new PlaneNoise(salt);
         coarse = new PlaneNoise(salt + 1);
         fine = new PlaneNoise(salt + 2);
-        centres = new PlateCentres(salt);
+        tergites = new Tergites(salt);
         Amplitude = size * cover switch
         {
             SkinCover.Scales => 0.22f,
-            SkinCover.Feathers => 0.2f,
+            SkinCover.Feathers => 0.16f,
             SkinCover.Plates => 0.16f,
             SkinCover.Fur => 0.2f,
             _ => 0.12f,
@@ -68,16 +74,26 @@ internal sealed class SkinRelief
     /// <summary>Roughness of the skin between 0 and 1.</summary>
     public float Roughness { get; }
 
+    /// <summary>Height at a place of a chart of a limb, 0..1 of the amplitude.</summary>
+    /// <param name="place">Metres around and along.</param>
+    public float OnLimb(Vector2 place) => At(cover is SkinCover.Scales or SkinCover.Feathers ? FinerOnLimbs * place : place);
+
     /// <summary>Height at a place of a chart, 0..1 of the amplitude.</summary>
     /// <param name="place">Metres around and along.</param>
     public float At(Vector2 place) => cover switch
     {
         SkinCover.Scales => Overlapping(place, shaft: 0f),
         SkinCover.Feathers => Overlapping(place, shaft: 0.18f),
-        SkinCover.Plates => Plates(place),
+        SkinCover.Plates => tergites.At(perSize * place),
         SkinCover.Fur => Fur(place),
         _ => Wrinkles(place),
     };
+
+    /// <summary>Height at a place of a chart of the body, 0..1 of the amplitude: plates there follow its rings.</summary>
+    /// <param name="place">Metres around and along.</param>
+    /// <param name="ring">Ring of the body.</param>
+    /// <param name="segment">Segment of the body.</param>
+    public float OnBody(Vector2 place, float ring, float segment) => cover == SkinCover.Plates ? tergites.OnBody(perSize * place.X, ring, segment) : At(place);
 
     /// <summary>Two rows of rounded tongues may cover a place; the one further forward lies on top.</summary>
     private float Overlapping(Vector2 place, float shaft)
@@ -97,14 +113,13 @@ internal sealed class SkinRelief
         float fv = (v - row) * (1f / 1.5f);
         float beyond = Math.Max(fv - 0.62f, 0f);
         float squared = (3.0625f * fu * fu) + (6.5f * beyond * beyond);
+        float inner = shaft == 0f ? InnerEdge : FeatherInnerEdge;
         edge = squared >= OuterEdge * OuterEdge ? 0f
-            : squared <= InnerEdge * InnerEdge ? 1f
-            : Scalar.Smooth((OuterEdge - (float)Math.Sqrt(squared)) * (1f / (OuterEdge - InnerEdge)));
+            : squared <= inner * inner ? 1f
+            : Scalar.Smooth((OuterEdge - (float)Math.Sqrt(squared)) / (OuterEdge - inner));
         float rib = shaft == 0f ? 0f : shaft * Math.Max(0f, 1f - (400f * fu * fu));
         return edge * (((0.45f + (0.5f * fv)) * (1f - (1.6f * fu * fu))) - rib);
     }
-
-    private float Plates(Vector2 place) => Scalar.Smooth(centres.Gap(place.X * (perSize / 1.6f), place.Y * (perSize / 1.1f)) / 0.22f);
 
     /// <summary>Hair lies along v: noise that is long in v, shifted by a slower noise so that it waves.</summary>
     private float Fur(Vector2 place)

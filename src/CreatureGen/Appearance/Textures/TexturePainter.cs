@@ -182,7 +182,8 @@ internal sealed class TexturePainter
             float cover = weights.Mix(covered.X, covered.Y, covered.Z) * Muzzle(ring, appendage) * painter.TailFin(ring, appendage);
             Vector4 chart = weights.Mix(a.ChartAndTurns, b.ChartAndTurns, c.ChartAndTurns);
             SkinRelief relief = painter.relief;
-            float height = relief.At(new Vector2(chart.X, chart.Y));
+            var place = new Vector2(chart.X, chart.Y);
+            float height = appendage < 0 ? relief.OnBody(place, ring, chart.Z) : relief.OnLimb(place);
             colour *= 1f + (cover * relief.Shade * (height - 0.6f));
             float rough = weights.Mix(roughness.X, roughness.Y, roughness.Z) + (0.12f * cover * (0.5f - height));
             painter.pictures.Set(x, y, colour, cover * relief.Amplitude * height, rough, weights.Mix(a.Openness, b.Openness, c.Openness));
