@@ -3,25 +3,65 @@ using CreatureGen.Maths;
 
 namespace CreatureGen.Appearance;
 
-/// <summary>The plate on the face of an insect, above its jaws, and the seam around it: without them its head is a ball.</summary>
+/// <summary>The plates on the face of an insect: a shield above its jaws (clypeus) and a lip below it, and the seams around them and up over the forehead. Without them its head is a ball, and with a round one a disc.</summary>
 internal static class FacePlate
 {
-    // Its middle and its half length, rings, its half breadth, radians around the head, and how much less that is at the brow.
-    private const float Ring = 3.7f;
-    private const float Length = 2.6f;
-    private const float Breadth = 0.88f;
-    private const double Narrowing = 0.3;
+    // The shield: its middle and half its height, rings, and half its breadth at its lower and its upper edge, radians around the head.
+    private const float Ring = 3.6f;
+    private const float Height = 2.1f;
+    private const double LowerBreadth = 1.05;
+    private const double UpperBreadth = 0.56;
 
-    // Breadth of its edge and of the seam, in its half lengths.
-    private const float Blur = 0.12f;
-    private const float Seam = 0.11f;
+    // The lip: the same.
+    private const float LipRing = 0.35f;
+    private const float LipHeight = 0.95f;
+    private const double LipBreadth = 0.9;
 
-    /// <summary>Shares of the plate's colour and of the seam at a ring of the body and an angle around it (0 where the plate is).</summary>
+    // Breadth of an edge and of the seam around a plate, in its half heights.
+    private const float Blur = 0.14f;
+    private const float Seam = 0.15f;
+
+    // The seam over the forehead: the rings from which it goes up, in which it forks, and where its arms end, how far they are apart there, and half its breadth, radians.
+    private const float Fork = 8.2f;
+    private const float Arms = 12f;
+    private const float Spread = 0.75f;
+    private const float Line = 0.045f;
+
+    /// <summary>Half the breadth of an arm at its end, in that of the line.</summary>
+    private const float Running = 0.5f;
+
+    /// <summary>Shares of the plates' colour and of the seams at a ring of the body and an angle around it (0 on the back of it).</summary>
     public static (float Plate, float Seam) At(float ring, float around)
     {
-        double along = Math.Abs(ring - Ring) / Length;
-        double across = around / (Breadth * (1 - (Narrowing * Scalar.Clamp((ring - Ring) / Length, -1, 1))));
-        float off = (float)Math.Sqrt((along * along) + (across * across));
-        return (Scalar.Smooth((1f - off) / Blur), Scalar.Smooth(1f - (Math.Abs(1f - off) / Seam)));
+        double upward = Scalar.Clamp((ring - (Ring - Height)) / (2 * Height), 0, 1);
+        float shield = Off((ring - Ring) / Height, around / Scalar.Lerp(LowerBreadth, UpperBreadth, upward));
+        float lip = Off((ring - LipRing) / LipHeight, around / LipBreadth);
+        float plate = Math.Max(Within(shield), Within(lip));
+        return (plate, Math.Max(Math.Max(Around(shield), Around(lip) * (1f - Within(shield))), Forehead(ring, around)));
+    }
+
+    /// <summary>How far a place is from the middle of a plate, 1 on its edge: a square whose corners are round.</summary>
+    private static float Off(double along, double across)
+    {
+        double a = along * along;
+        double b = across * across;
+        return (float)Math.Sqrt(Math.Sqrt((a * a) + (b * b)));
+    }
+
+    private static float Within(float off) => Scalar.Smooth((1f - off) / Blur);
+
+    private static float Around(float off) => Scalar.Smooth(1f - (Math.Abs(1f - off) / Seam));
+
+    /// <summary>The line from the shield up the forehead, which parts between the eyes.</summary>
+    private static float Forehead(float ring, float around)
+    {
+        if (ring < Ring + Height || ring > Arms)
+        {
+            return 0f;
+        }
+
+        float beyond = Math.Max(0f, (ring - Fork) / (Arms - Fork));
+        float line = Scalar.Lerp(Line, Running * Line, beyond);
+        return Scalar.Smooth(2f * (1f - (Math.Abs(Math.Abs(around) - (Spread * beyond)) / line)));
     }
 }

@@ -56,9 +56,9 @@ internal sealed class HeadCoat
     private const float PoreCover = 0.8f;
     private const float PoreShade = 0.4f;
 
-    // Share of the muzzle's colour on the plate of an insect's face, and the shade of the seam around it.
-    private const float PlateCover = 0.25f;
-    private const float SeamShade = 0.5f;
+    // Share of the muzzle's colour on the plates of an insect's face, and the shade of the seams around them.
+    private const float PlateCover = 0.42f;
+    private const float SeamShade = 0.4f;
 
     /// <summary>Share of the muzzle's colour on a bare snout.</summary>
     private const float BarePatch = 0.42f;

@@ -48,6 +48,16 @@ public sealed class FaceFitTests
         Assert.True(20 * up <= faces, FormattableString.Invariant($"{kind}: {up} of {faces} faces are held up"));
     }
 
+    /// <summary>Open to their rims, the eyes of a frog on a theropod were goggles.</summary>
+    [Theory]
+    [InlineData(24832002, RequestedKind.Walking)]
+    [InlineData(24832002, RequestedKind.Swimming)]
+    public void Eyes_on_top_of_a_strange_head_have_lids_over_them(ulong seed, RequestedKind kind)
+    {
+        EyeBlueprint eyes = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = kind }).Head.Eyes;
+        Assert.True(eyes.Segment < 4.6 && eyes.UpperLid < 0.9 && eyes.LowerLid < 1.1, FormattableString.Invariant($"open by {eyes.UpperLid:0.00} and {eyes.LowerLid:0.00} at segment {eyes.Segment}"));
+    }
+
     [Fact]
     public void Faces_over_legs_look_down_to_who_stands_before_them()
     {

@@ -22,7 +22,7 @@ public sealed class MouthpartsTests
             if (SpeciesCatalogue.Find(creature.Body.Blend.Face).Class == AnimalClass.Arthropod)
             {
                 Assert.True(creature.Features.Any(part => part.Kind == FeatureKind.Mandible), FormattableString.Invariant($"{seed}"));
-                Assert.Contains(creature.Head.Bumps, bump => bump is { Ring: 3.6, Segment: 0, Amount: < -0.1 });
+                Assert.Contains(creature.Head.Bumps, bump => bump is { Ring: 1.4, Segment: 0, Amount: < -0.1 });
                 heads++;
             }
         }

@@ -31,7 +31,7 @@ internal static class HeadSampler
     /// <summary>Probability of a single eye at full strangeness.</summary>
     private const double SingleEyes = 0.05;
 
-    // Widest that lids of another body's head are open on a strange creature, degrees above and below the gaze: wider, a frog's eyes on top of a mammal are goggles.
+    // Widest that lids of another body's head, or of eyes on top of any, are open on a strange creature, degrees above and below the gaze: wider, a frog's eyes are goggles.
     private const double WidestUpper = 42;
     private const double WidestLower = 50;
 
@@ -44,9 +44,10 @@ internal static class HeadSampler
     private const double Ridge = 0.2;
     private const double Sides = 0.14;
 
-    // An insect's face of a strange creature: depth of the groove between forehead and lip, and rise of the lip, in radii of the section.
+    // An insect's face of a strange creature: depth of the grooves above and below the shield over its jaws, and how far that stands out, in radii of the section.
+    private const double UpperGroove = 0.1;
     private const double LipGroove = 0.16;
-    private const double Lip = 0.1;
+    private const double FaceShield = 0.07;
 
     // Breadth of a head in heights from which on its top is a board, and what models it where it is twice that: a rise along the middle, and hollows to both sides of it and below the eyes.
     private const double Level = 0.9;
@@ -220,8 +221,9 @@ internal static class HeadSampler
 
         if (species.Class == AnimalClass.Arthropod)
         {
-            Add(3.6, 0, 0.8, 4.6, -LipGroove * builder.Fitting);
-            Add(1.9, 0, 0.9, 4.2, Lip * builder.Fitting);
+            Add(6, 0, 0.7, 3.4, -UpperGroove * builder.Fitting);
+            Add(3.6, 0, 1.5, 3.2, FaceShield * builder.Fitting);
+            Add(1.4, 0, 0.6, 4.6, -LipGroove * builder.Fitting);
         }
 
         bumps.AddRange(species.Skull.Muzzle);
@@ -273,8 +275,9 @@ internal static class HeadSampler
         double lower = species.LidDegrees.Lower;
         if (species.EyeRim == EyeRim.Lids)
         {
-            upper = Math.Min(upper, Scalar.Lerp(upper, WidestUpper, mixed));
-            lower = Math.Min(lower, Scalar.Lerp(lower, WidestLower, mixed));
+            double lidded = Math.Max(mixed, builder.Fitting * Scalar.Clamp(1 + OnTop - species.Eye.Segment, 0, 1));
+            upper = Math.Min(upper, Scalar.Lerp(upper, WidestUpper, lidded));
+            lower = Math.Min(lower, Scalar.Lerp(lower, WidestLower, lidded));
         }
 
         double sink = Math.Max(species.EyeSink, Scalar.Lerp(species.EyeSink, MixedSink, mixed));
