@@ -14,6 +14,9 @@ namespace CreatureGen.Creatures;
 /// <summary>What the coat has to know of a grown creature.</summary>
 internal static class CoatSubjects
 {
+    /// <summary>Plates of a body that is no insect's where an insect has one: as broad as theirs they are parts of a machine, narrow ones the bands of an armadillo.</summary>
+    private const float FinerPlates = 2f;
+
     /// <summary>The subject of a creature's coat.</summary>
     public static CoatSubject Of(CreatureBlueprint blueprint, GrownSurface grown, EyeFrame eye)
     {
@@ -64,6 +67,8 @@ internal static class CoatSubjects
         int salt = unchecked((blueprint.Coat.PatternSeed * 16) + 12);
         SpeciesProfile skin = SpeciesCatalogue.Find(blueprint.Body.Blend.Skin);
         bool smooth = blueprint.Plan == BodyPlan.Whale && skin.Class == AnimalClass.Fish && skin.Cover == SkinCover.Scales;
-        return smooth ? new SkinRelief(SkinCover.Wrinkles, 0.05f, salt) : new SkinRelief(skin.Cover, skin.CoverSize, salt);
+        return smooth ? new SkinRelief(SkinCover.Wrinkles, 0.05f, salt) : new SkinRelief(skin.Cover, skin.CoverSize, salt, IsOfInsects(blueprint.Plan) ? 1f : FinerPlates);
     }
+
+    private static bool IsOfInsects(BodyPlan plan) => plan is BodyPlan.Hexapod or BodyPlan.Buzzing or BodyPlan.ManyLegged;
 }

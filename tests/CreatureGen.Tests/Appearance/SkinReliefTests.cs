@@ -2,6 +2,9 @@ using System;
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Appearance.Textures;
+using CreatureGen.Blueprints;
+using CreatureGen.Creatures;
+using CreatureGen.Sampling;
 using Xunit;
 
 namespace CreatureGen.Tests.Appearance;
@@ -114,6 +117,19 @@ public sealed class SkinReliefTests
         }
 
         Assert.True(plates.OnBody(Vector2.Zero, 44.5f, 7.2f) < 0.05f && plates.OnBody(Vector2.Zero, 44.5f, 5.5f) > 0.5f);
+    }
+
+    /// <summary>As broad as those of insects they were parts of a machine.</summary>
+    [Theory]
+    [InlineData(24832105, RequestedKind.Walking, true)]
+    [InlineData(24815011, RequestedKind.Walking, true)]
+    [InlineData(24832005, RequestedKind.Walking, false)]
+    public void Plates_are_narrower_on_bodies_that_are_no_insects(ulong seed, RequestedKind kind, bool narrow)
+    {
+        SkinRelief relief = CoatSubjects.ReliefOf(BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = kind }));
+        Assert.True(relief.IsPlated);
+        float between = relief.OnBody(Vector2.Zero, 41.5f, 3);
+        Assert.True(narrow ? between < 0.35f : between > 0.6f, $"{seed}: {between} between the seams of an insect");
     }
 
     [Theory]

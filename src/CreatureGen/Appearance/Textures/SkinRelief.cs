@@ -30,16 +30,17 @@ internal sealed class SkinRelief
     /// <param name="cover">What it is made of.</param>
     /// <param name="size">Length of one scale, feather, plate or tuft, metres.</param>
     /// <param name="salt">Which one of its kind.</param>
-    public SkinRelief(SkinCover cover, float size, int salt)
+    /// <param name="fineness">How many plates there are where an insect has one.</param>
+    public SkinRelief(SkinCover cover, float size, int salt, float fineness = 1f)
     {
         this.cover = cover;
-        size = cover == SkinCover.Feathers ? FeatherLength * size : size;
+        size = cover == SkinCover.Feathers ? FeatherLength * size : cover == SkinCover.Plates ? size / fineness : size;
         perSize = 1f / size;
         perRow = 1.15f * perSize;
         broad = new PlaneNoise(salt);
         coarse = new PlaneNoise(salt + 1);
         fine = new PlaneNoise(salt + 2);
-        tergites = new Tergites(salt);
+        tergites = new Tergites(salt, fineness);
         Amplitude = size * cover switch
         {
             SkinCover.Scales => 0.22f,
@@ -64,6 +65,9 @@ internal sealed class SkinRelief
             _ => 0.6f,
         };
     }
+
+    /// <summary>Whether it is of plates.</summary>
+    public bool IsPlated => cover == SkinCover.Plates;
 
     /// <summary>Height of the relief between its lowest and its highest place, metres.</summary>
     public float Amplitude { get; }
@@ -93,7 +97,7 @@ internal sealed class SkinRelief
     /// <param name="place">Metres around and along.</param>
     /// <param name="ring">Ring of the body.</param>
     /// <param name="segment">Segment of the body.</param>
-    public float OnBody(Vector2 place, float ring, float segment) => cover == SkinCover.Plates ? tergites.OnBody(perSize * place.X, ring, segment) : At(place);
+    public float OnBody(Vector2 place, float ring, float segment) => IsPlated ? tergites.OnBody(perSize * place.X, ring, segment) : At(place);
 
     /// <summary>Two rows of rounded tongues may cover a place; the one further forward lies on top.</summary>
     private float Overlapping(Vector2 place, float shaft)

@@ -9,8 +9,8 @@ namespace CreatureGen.Appearance.Textures;
 /// <remarks>Scattered plates are stones in a wall: on a round body each seam between them is an edge of a rough lump.</remarks>
 internal sealed class Tergites
 {
-    // On the body a plate takes as many rings of the grid as a ring of an abdomen does, and begins where one does.
-    private const float BodyRings = 3f;
+    // On the body a plate of an insect takes as many rings of the grid as a ring of its abdomen does, and begins where one does.
+    private const float RingsOfInsects = 3f;
     private const float FirstSeam = 43f;
 
     // The skull is one capsule: from which ring on, and over how many, the body is divided, and the height of what is not.
@@ -33,13 +33,16 @@ internal sealed class Tergites
     private const float Pit = 0.12f;
     private const float Pits = 7f;
 
+    private readonly float rings;
     private readonly PlaneNoise wave;
     private readonly PlaneNoise pits;
 
-    /// <summary>Chooses the irregularity of edges and faces.</summary>
-    /// <param name="salt">Which one.</param>
-    public Tergites(int salt)
+    /// <summary>Chooses the plates.</summary>
+    /// <param name="salt">Which irregularity of edges and faces.</param>
+    /// <param name="fineness">How many there are along a body where an insect has one.</param>
+    public Tergites(int salt, float fineness)
     {
+        rings = RingsOfInsects / fineness;
         wave = new PlaneNoise(salt);
         pits = new PlaneNoise(salt + 1);
     }
@@ -68,7 +71,7 @@ internal sealed class Tergites
         }
 
         float flank = Math.Min(segment, BodyGrid.Segments - segment);
-        float height = At(new Vector2(around, (ring - FirstSeam) / BodyRings)) * Scalar.Smooth(Math.Abs(flank - Flank) / FlankSeam);
+        float height = At(new Vector2(around, (ring - FirstSeam) / rings)) * Scalar.Smooth(Math.Abs(flank - Flank) / FlankSeam);
         return Scalar.Lerp(Plain, height, plated);
     }
 }

@@ -82,9 +82,10 @@ internal sealed class TexturePainter
         TriangleRaster.Fill(pictures.Size, rows, a.Picture, b.Picture, c.Picture, ref brush);
     }
 
-    /// <summary>How much of the skin's cover a region wears.</summary>
-    private static float Covered(SurfaceRegion region) => region switch
+    /// <summary>How much of the skin's cover a region wears. Blades have no plates: those are stiff.</summary>
+    private float Covered(SurfaceRegion region) => region switch
     {
+        SurfaceRegion.Wing or SurfaceRegion.Ear when relief.IsPlated => 0f,
         SurfaceRegion.Body or SurfaceRegion.Leg => 1f,
         SurfaceRegion.Wing => 0.35f,
         SurfaceRegion.Fin => 0.1f,
@@ -165,7 +166,7 @@ internal sealed class TexturePainter
             this.b = b;
             this.c = c;
             this.appendage = appendage;
-            covered = new Vector3(Covered(a.Region), Covered(b.Region), Covered(c.Region));
+            covered = new Vector3(painter.Covered(a.Region), painter.Covered(b.Region), painter.Covered(c.Region));
             roughness = new Vector3(painter.Roughness(a.Region), painter.Roughness(b.Region), painter.Roughness(c.Region));
         }
 
