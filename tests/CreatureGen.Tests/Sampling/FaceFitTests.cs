@@ -3,6 +3,7 @@ using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
 using CreatureGen.Sampling;
+using CreatureGen.Sampling.Features;
 using CreatureGen.Species;
 using Xunit;
 
@@ -56,6 +57,31 @@ public sealed class FaceFitTests
     {
         EyeBlueprint eyes = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = kind }).Head.Eyes;
         Assert.True(eyes.Segment < 4.6 && eyes.UpperLid < 0.9 && eyes.LowerLid < 1.1, FormattableString.Invariant($"open by {eyes.UpperLid:0.00} and {eyes.LowerLid:0.00} at segment {eyes.Segment}"));
+    }
+
+    [Fact]
+    public void Eyes_on_top_of_strange_heads_are_smaller_than_those_of_the_animals_that_have_them_there()
+    {
+        double animals = MeanSize(0);
+        double strange = MeanSize(0.6);
+        Assert.True(strange < 0.92 * animals, FormattableString.Invariant($"{strange:0.000} of half the head, {animals:0.000} of animals"));
+
+        static double MeanSize(double strangeness)
+        {
+            double sum = 0;
+            int heads = 0;
+            foreach ((CreatureBlueprint creature, BodyShape shape) in DrawnShapes.Of(RequestedKind.Walking, strangeness, First, 4 * Count))
+            {
+                SpeciesProfile face = SpeciesCatalogue.Find(creature.Body.Blend.Face);
+                if (face.Eye.Segment <= 4.2 && face.Class == AnimalClass.Amphibian && !creature.Head.Eyes.IsSingle)
+                {
+                    sum += creature.Head.Eyes.Radius / HeadSampler.HalfHeight(shape);
+                    heads++;
+                }
+            }
+
+            return sum / heads;
+        }
     }
 
     [Fact]

@@ -20,6 +20,9 @@ internal static class HeadSampler
     private const double OwnEyes = 0.85;
     private const double MixedEyes = 0.62;
 
+    /// <summary>Size of eyes on top of the head of a strange creature, relative to those of the animal that has them there: they stand clear of it, so that all of them is seen.</summary>
+    private const double EyesOnTop = 0.84;
+
     // On a skull of another body: radius of the largest eyes in half heights of the head, and least depth of their centres below the skin in radii; larger and higher ones are goggles.
     private const double FlatEyes = 0.42;
     private const double MixedSink = 0.5;
@@ -260,7 +263,8 @@ internal static class HeadSampler
         double radius = species.EyeSize * half * Scalar.Clamp(1 + (0.14 * builder.Style) + random.Normal(0, 0.06), 0.75, 1.5) * (builder.Signature == Signature.BigEyes ? 1.36 : 1);
         radius = Math.Min(radius, LargestEye(builder));
         double mixed = Mixed(builder);
-        radius = Math.Max(radius, mixed * SmallestEye * half);
+        double onTop = builder.Fitting * Scalar.Clamp(1 + OnTop - species.Eye.Segment, 0, 1);
+        radius = Math.Max(radius * Scalar.Lerp(1, EyesOnTop, onTop), mixed * SmallestEye * half);
         bool faceted = random.Chance(species.CompoundEyes);
         bool slit = random.Chance(species.SlitPupils);
         bool bar = builder.Stream("bar pupils").Chance(species.BarPupils);
@@ -275,7 +279,7 @@ internal static class HeadSampler
         double lower = species.LidDegrees.Lower;
         if (species.EyeRim == EyeRim.Lids)
         {
-            double lidded = Math.Max(mixed, builder.Fitting * Scalar.Clamp(1 + OnTop - species.Eye.Segment, 0, 1));
+            double lidded = Math.Max(mixed, onTop);
             upper = Math.Min(upper, Scalar.Lerp(upper, WidestUpper, lidded));
             lower = Math.Min(lower, Scalar.Lerp(lower, WidestLower, lidded));
         }
