@@ -16,6 +16,9 @@ internal static class BodyShaper
     /// <summary>Share of the distance between two rings that a bend may take up on its inner side: below 1 rings never cross.</summary>
     private const double BendLimit = 0.75;
 
+    // How far a ring of an abdomen swells and its groove is drawn in, in its depth: deeper, three rings of the grid are the facets of a cone.
+    private const double Swell = 0.4, Groove = 0.6;
+
     /// <summary>Height of the spine of a body that lies, relative to its depth: the weight presses the belly flat by the rest, and it lies on a strip instead of a line.</summary>
     private const double Rest = 0.965;
 
@@ -213,7 +216,7 @@ internal static class BodyShaper
         for (int i = annuli.Ring; annuli.Depth > 0 && i < BodyGrid.Rings - 2; i++)
         {
             int phase = (i - annuli.Ring) % 3;
-            double factor = phase == 0 ? 1 + (0.7 * annuli.Depth) : phase == 1 ? 1 : 1 - annuli.Depth;
+            double factor = phase == 0 ? 1 + (Swell * annuli.Depth) : phase == 1 ? 1 : 1 - (Groove * annuli.Depth);
             width[i] *= factor;
             top[i] *= factor;
             bottom[i] *= factor;

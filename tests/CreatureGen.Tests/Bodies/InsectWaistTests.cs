@@ -41,6 +41,21 @@ public sealed class InsectWaistTests
         Assert.True(half > 0.75 && late > 0.55, FormattableString.Invariant($"{seed} is {half:0.00} and {late:0.00} of its thorax before the stalk"));
     }
 
+    /// <summary>Deeper grooves were the facets of a cone.</summary>
+    [Theory]
+    [InlineData(24816023, RequestedKind.Walking)]
+    [InlineData(24832002, RequestedKind.Flying)]
+    public void Rings_of_an_abdomen_swell_by_little_more_than_their_depth(ulong seed, RequestedKind kind)
+    {
+        CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = kind });
+        BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
+        for (int ring = creature.Body.Annuli.Ring + 3; ring < StationRing.TailTwoThirds; ring += 3)
+        {
+            double swelling = SizeOf(shape, ring) / Math.Sqrt(SizeOf(shape, ring - 1) * SizeOf(shape, ring + 1));
+            Assert.True(swelling > 1.01 && swelling < 1 + (1.3 * creature.Body.Annuli.Depth), FormattableString.Invariant($"{seed}: ring {ring} swells by {swelling:0.000}, its depth is {creature.Body.Annuli.Depth}"));
+        }
+    }
+
     [Fact]
     public void Wing_cases_go_on_over_the_waist()
     {
