@@ -18,6 +18,7 @@ public class CarriageTests
     [InlineData(BodyPlan.Hexapod, 1)]
     [InlineData(BodyPlan.Hexapod, 2)]
     [InlineData(BodyPlan.ManyLegged, 1)]
+    [InlineData(BodyPlan.ManyLegged, 3)]
     public void Many_legged_bodies_stand_tall_when_they_threaten_and_low_when_they_are_sad_on_feet_that_stay(BodyPlan plan, ulong seed)
     {
         var profile = new MotionProfile(Walkers.Of(plan, seed));

@@ -55,12 +55,12 @@ public sealed class KnockedDownTests
     public void Who_is_struck_on_four_legs_as_it_stands_falls_away_from_the_blow(ulong seed)
     {
         var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
-        Assert.True(BackAfter(profile, Vector3.UnitX).X > 0.3f, "struck from its right it fell to its right");
-        Assert.True(BackAfter(profile, -Vector3.UnitX).X < -0.3f, "struck from its left it fell to its left");
+        Assert.True(LeftAfter(profile, Vector3.UnitX).Y < -0.3f, "struck from its right it does not lie on its left");
+        Assert.True(LeftAfter(profile, -Vector3.UnitX).Y > 0.3f, "struck from its left it does not lie on its right");
     }
 
-    /// <summary>Where the back of a creature points once it has been knocked down from standing.</summary>
-    private static Vector3 BackAfter(MotionProfile profile, Vector3 direction)
+    /// <summary>Where the left of a creature points once it has been knocked down from standing: up if it lies on its right, wherever it has spun to.</summary>
+    private static Vector3 LeftAfter(MotionProfile profile, Vector3 direction)
     {
         Skeleton skeleton = profile.Subject.Skeleton;
         var animator = new CreatureAnimator(profile);
@@ -74,7 +74,7 @@ public sealed class KnockedDownTests
         }
 
         int pelvis = skeleton.FirstOf(JointRole.Pelvis);
-        return Rotation.Rotate(Rotation.Multiply(animator.ModelPose.Rotations[pelvis], Rotation.Inverse(skeleton.ModelRotations[pelvis])), Vector3.UnitY);
+        return Rotation.Rotate(Rotation.Multiply(animator.ModelPose.Rotations[pelvis], Rotation.Inverse(skeleton.ModelRotations[pelvis])), Vector3.UnitX);
     }
 
     /// <summary>Runs, is knocked down, and goes on as soon as it can.</summary>

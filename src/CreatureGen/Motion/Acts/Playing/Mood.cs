@@ -59,7 +59,9 @@ internal sealed class Mood
         float hindStance = (0.25f * fear) + (0.4f * sad) + (0.3f * calm) + (0.15f * threat) - (0.1f * alert) - (0.15f * play);
         Set(ActChannel.ForeDown, (0.16f * play) + (0.08f * threat) + (0.18f * fear) + (0.07f * sad) + (stance * foreStance));
         Set(ActChannel.HindDown, (0.3f * fear) + (0.04f * sad) + (stance * hindStance));
-        Set(ActChannel.Ahead, (0.08f * threat) - (0.14f * fear) + (stance * ((0.1f * threat) - (0.2f * fear))));
+
+        // Far ahead, a body stands between stretched legs and is no taller than before.
+        Set(ActChannel.Ahead, (0.08f * threat) - (0.14f * fear) - (stance * ((0.05f * threat) + (0.2f * fear))));
         Set(ActChannel.HeadRoll, 0.2f * play);
         Set(ActChannel.Ears, (-0.5f * alert) + (0.9f * threat) + fear + (0.5f * sad) + (0.2f * calm));
         Set(ActChannel.Lids, (-0.1f * aroused) + (0.35f * threat) + (0.5f * calm) + (0.65f * sad) - (0.05f * fear));
