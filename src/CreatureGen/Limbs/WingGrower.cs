@@ -182,7 +182,11 @@ internal static class WingGrower
         float tooth = Piecewise(s, stackalloc float[] { 0f, 0.4f, 0.75f, 0.9f, 1f }, stackalloc float[] { 0.05f, 0.08f, slots, slots, 0.06f });
         float phase = (s * form.Feathers) - (float)Math.Floor(s * form.Feathers);
         float off = phase < FeatherTip ? (FeatherTip - phase) / FeatherTip : (phase - FeatherTip) / (1f - FeatherTip);
-        return depth * (1f - ((phase < FeatherTip ? InnerNotch : 1f) * tooth * off * off));
+        float feathered = depth * (1f - ((phase < FeatherTip ? InnerNotch : 1f) * tooth * off * off));
+
+        // The outermost feather is the tip.
+        float last = Math.Max((s * form.Feathers) - (form.Feathers - 1), 0f);
+        return Math.Max(feathered * (float)Math.Sqrt(1f - (last * last)), MinDepth * (float)wing.Chord);
     }
 
     private static float Thickness(float thickest, float s, float u)

@@ -46,6 +46,19 @@ public sealed class LegOutlineTests
         Assert.True(archetype is LimbArchetype.Bird or LimbArchetype.UnguligradeFore or LimbArchetype.UnguligradeHind || calf > 1.1 * straight, FormattableString.Invariant($"a calf of {calf}, {straight} without one"));
     }
 
+    /// <summary>Broader beside their socket than the socket itself, legs of insects met in lumps on the thorax.</summary>
+    [Fact]
+    public void Legs_of_insects_are_no_broader_beside_their_socket_than_the_socket()
+    {
+        const float Half = 0.1f;
+        LegKind kind = LegKinds.Of(LimbArchetype.Insect);
+        foreach (LegOutline outline in new[] { kind.Outline, kind.Trailing! })
+        {
+            float thickest = outline.Thickness(wanted: 1f, Half, height: 1f);
+            Assert.True(outline.Rows[1].ForeRadius / 1000f * thickest <= Half, FormattableString.Invariant($"{outline.Rows[1].ForeRadius / 1000f * thickest / Half:0.00} of it"));
+        }
+    }
+
     [Theory]
     [InlineData(LimbArchetype.Theropod)]
     [InlineData(LimbArchetype.Bird)]

@@ -15,8 +15,8 @@ internal static class InsectLeg
             Rows = new LegSection[]
             {
                 new() { Forward = 0, Down = 0, Outward = 0, ForeRadius = 1000, SideRadius = 1000 },
-                new() { Forward = 0, Down = -60, Outward = 300, ForeRadius = 720, SideRadius = 700 },
-                new() { Forward = 0, Down = -340, Outward = 720, ForeRadius = 1060, SideRadius = 960 },
+                new() { Forward = 0, Down = -60, Outward = 300, ForeRadius = 570, SideRadius = 700 },
+                new() { Forward = 0, Down = -340, Outward = 720, ForeRadius = 940, SideRadius = 860 },
                 new() { Forward = 0, Down = -480, Outward = 1050, ForeRadius = 460, SideRadius = 450 },
                 new() { Forward = 0, Down = -380, Outward = 1220, ForeRadius = 355, SideRadius = 345 },
                 new() { Forward = 0, Down = 50, Outward = 1420, ForeRadius = 270, SideRadius = 265 },
@@ -71,8 +71,8 @@ internal static class InsectLeg
             Rows = new LegSection[]
             {
                 new() { Forward = 0, Down = 0, Outward = 0, ForeRadius = 1000, SideRadius = 1000 },
-                new() { Forward = -30, Down = -40, Outward = 300, ForeRadius = 720, SideRadius = 700 },
-                new() { Forward = -110, Down = -220, Outward = 660, ForeRadius = 1060, SideRadius = 960 },
+                new() { Forward = -30, Down = -40, Outward = 300, ForeRadius = 570, SideRadius = 700 },
+                new() { Forward = -110, Down = -220, Outward = 660, ForeRadius = 940, SideRadius = 860 },
                 new() { Forward = -200, Down = -320, Outward = 930, ForeRadius = 460, SideRadius = 450 },
                 new() { Forward = -320, Down = -230, Outward = 1040, ForeRadius = 355, SideRadius = 345 },
                 new() { Forward = -580, Down = 110, Outward = 1100, ForeRadius = 270, SideRadius = 265 },
