@@ -148,6 +148,18 @@ internal sealed class BonePoints
         return lowest;
     }
 
+    /// <summary>How far along a direction the farthest point of a pose is, metres.</summary>
+    public float Farthest(Vector3 direction, in Pose model)
+    {
+        float farthest = float.MinValue;
+        foreach (SkinPoint point in points)
+        {
+            farthest = Math.Max(farthest, Vec.Dot(point.PlaceIn(model), direction));
+        }
+
+        return farthest;
+    }
+
     /// <summary>How far the skin at rest is from the middle of the body on its own side, metres: 0 where it reaches over to the other.</summary>
     /// <param name="skeleton">At rest.</param>
     /// <param name="side">Its side.</param>

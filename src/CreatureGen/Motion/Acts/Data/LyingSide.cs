@@ -11,6 +11,9 @@ internal sealed record LyingSide(float Nearest, float Farthest, float MaxRise, f
     /// <summary>How far feet hang with their toes down, radians.</summary>
     public const float ToesDown = 0.6f;
 
+    /// <summary>How far chest and hips are down, parts of the belly's height, as a body rolls over onto its back with its legs drawn in.</summary>
+    public const float DownAsItTurns = 0.9f;
+
     /// <summary>On a flank, with legs stretched out.</summary>
     public static readonly LyingSide Flank = new(1.1f, 1.67f, 1.3f, 0.25f, 0f);
 

@@ -37,7 +37,10 @@ internal sealed class ActLayer
     private const float Across = 1.2f;
 
     /// <summary>How far a body that rolls over onto its back is over when legs out to the sides are drawn in whole: it would climb over them.</summary>
-    private const float DrawnIn = 0.15f;
+    public const float DrawnIn = 0.08f;
+
+    /// <summary>How far a body that rolls over is over when its wings are folded whole.</summary>
+    private const float WingsIn = 0.5f;
 
     /// <summary>How far out from their hips feet of a body on its back stay, parts of the leg.</summary>
     private const float Outside = 0.2f;
@@ -72,15 +75,15 @@ internal sealed class ActLayer
     {
         float over = Math.Min(Math.Abs(values[(int)ActChannel.OnFlank]), 1f);
 
-        // Who rolls over onto its wings folds them.
-        Trunk.Wings = values[(int)ActChannel.Wings] - over;
+        // Who rolls over onto its wings folds them before: over the end of a spread one it would climb.
+        Trunk.Wings = values[(int)ActChannel.Wings] - Scalar.Smooth(over / WingsIn);
         if (body.Legs == null)
         {
             return;
         }
 
         bool onBack = body.LyingSide == LyingSide.Back;
-        float drawnIn = onBack ? Scalar.Smooth(over / DrawnIn) : 0f;
+        float tipped = onBack ? Math.Min(over / DrawnIn, 1f) : 0f;
         float unit = body.Unit;
         float fore = values[(int)ActChannel.ForeDown];
         float hind = values[(int)ActChannel.HindDown];
@@ -89,7 +92,7 @@ internal sealed class ActLayer
         Trunk.Way = new Vector3(side * values[(int)ActChannel.Aside], values[(int)ActChannel.Up], values[(int)ActChannel.Ahead]) * unit;
         Trunk.Yaw = side * values[(int)ActChannel.Yaw];
         float stretched = body.Build == BodyBuild.Upright ? Scalar.Clamp(values[(int)ActChannel.ForeFold], 0f, 1f) : 0f;
-        Trunk.Pitch = values[(int)ActChannel.Pitch] - bow - (Math.Max(stretched, drawnIn) * folded.Tip);
+        Trunk.Pitch = values[(int)ActChannel.Pitch] - bow - (Math.Max(stretched, tipped) * folded.Tip);
         Trunk.Roll = side * values[(int)ActChannel.Roll];
 
         // Folded legs let the chest down to the ground by itself, be it higher than the belly or not.
@@ -107,15 +110,15 @@ internal sealed class ActLayer
         {
             bool isFore = body.Legs.Rows > 1 && body.Legs.Legs[leg].Row == body.Legs.Rows - 1;
             float lifted = Scalar.Smooth(Trunk.Feet[leg].Way.Y / (Unfolded * body.Legs.Legs[leg].Length));
-            float fold = Scalar.Clamp(values[(int)(isFore ? ActChannel.ForeFold : ActChannel.HindFold)], 0f, 1f) * (1f - lifted) * (1f - drawnIn);
+            float fold = Scalar.Clamp(values[(int)(isFore ? ActChannel.ForeFold : ActChannel.HindFold)], 0f, 1f) * (1f - lifted);
             if (fold > 0f || stretched > 0f)
             {
-                folded.AddTo(ref Trunk.Feet[leg], leg, fold, stretched, over);
+                folded.AddTo(ref Trunk.Feet[leg], leg, fold * (1f - tipped), stretched, fold * tipped, over);
             }
 
             // Legs go over with a body that rolls over, and come together so that it lies on its flank, or its back, and not on them.
             bool isLower = (body.Legs.Legs[leg].Side == Side.Left) == (side * values[(int)ActChannel.OnFlank] > 0f);
-            Trunk.Feet[leg].Way.X -= Math.Max(over, drawnIn) * (1f - fold) * (onBack ? BelowHip(leg) : Inward(leg, isLower, stretched));
+            Trunk.Feet[leg].Way.X -= Math.Max(over, tipped) * (1f - fold) * (onBack ? BelowHip(leg) : Inward(leg, isLower, stretched));
             Trunk.Feet[leg].Way.Z += isLower ? 0f : over * stretched * Staggered * body.Legs.Legs[leg].Length;
             Trunk.Feet[leg].Loose = Math.Max(Trunk.Feet[leg].Loose, over);
             Loose = Math.Min(Loose, Trunk.Feet[leg].Loose);

@@ -15,6 +15,7 @@ internal sealed class FoldedLegs
     {
         Folded = new FootWays(legs, FoldedArch);
         Stretched = new FootWays(legs, StretchedArch);
+        DrawnIn = new FootWays(legs, 0f);
     }
 
     /// <summary>Folded under the body.</summary>
@@ -22,6 +23,9 @@ internal sealed class FoldedLegs
 
     /// <summary>Stretched out behind a body that stands upright otherwise, and lies on its chest.</summary>
     public FootWays Stretched { get; }
+
+    /// <summary>Drawn in to the trunk of a body that rolls over onto its back, which would climb over them.</summary>
+    public FootWays DrawnIn { get; }
 
     /// <summary>How far a trunk rolls over from its belly until it rests on its flank, radians; 0 where it would not stay there.</summary>
     public float Flank { get; set; }
@@ -41,6 +45,7 @@ internal sealed class FoldedLegs
             {
                 Folded.Take(found.Folded);
                 Stretched.Take(found.Stretched);
+                DrawnIn.Take(found.DrawnIn);
                 Tip = found.Tip;
                 Flank = found.Flank;
                 IsFound = true;
@@ -53,11 +58,13 @@ internal sealed class FoldedLegs
     /// <param name="leg">Its leg.</param>
     /// <param name="folded">How far it is folded, 0..1.</param>
     /// <param name="stretched">How far it is stretched out behind, 0..1.</param>
+    /// <param name="drawnIn">How far it is drawn in to the trunk, 0..1.</param>
     /// <param name="over">How far the body is over on its flank, 0..1: there is no ground there that a foot would have to be lifted from, and lifted it would pass its hip.</param>
-    public void AddTo(ref FootLayer foot, int leg, float folded, float stretched, float over)
+    public void AddTo(ref FootLayer foot, int leg, float folded, float stretched, float drawnIn, float over)
     {
         Add(Folded, ref foot, leg, folded, 1f - over);
         Add(Stretched, ref foot, leg, stretched, 1f);
+        Add(DrawnIn, ref foot, leg, drawnIn, 0f);
     }
 
     private static void Add(FootWays ways, ref FootLayer foot, int leg, float fraction, float lifted)

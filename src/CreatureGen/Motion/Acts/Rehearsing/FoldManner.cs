@@ -27,6 +27,9 @@ internal sealed record FoldManner(float[][] Beginnings, float[] Min, float[] Max
     /// <summary>Stretched out behind a body on its chest.</summary>
     public static FoldManner Stretched { get; } = new([[-0.9f, 0f, 0.05f, 1.4f, 0f]], [-1.3f, -0.1f, 0f, 0.6f, 0f], most);
 
+    // How much farther in and up than where it lies a foot is drawn in, parts of the leg.
+    private const float DrawnIn = 0.8f;
+
     /// <summary>Whether a leg is laid down beside a body that lies instead of folding under it: one out to the side, unless it arches as those of insects do.</summary>
     public static bool IsLaid(LegRig leg) => leg.Lateral && !leg.Traits.Kind.Outline.Jointed;
 
@@ -34,4 +37,15 @@ internal sealed record FoldManner(float[][] Beginnings, float[] Min, float[] Max
     /// <param name="leg">Which.</param>
     /// <param name="rows">How many pairs there are.</param>
     public static FoldManner Of(LegRig leg, int rows) => !IsLaid(leg) ? under : leg.IsHind(rows) ? kneeAhead : elbowBehind;
+
+    /// <summary>The same drawn in to a trunk that rolls over, from where it is folded: a leg that is laid down turns no other way than it lies.</summary>
+    /// <param name="leg">Which.</param>
+    /// <param name="rows">How many pairs there are.</param>
+    /// <param name="folded">Where it is folded.</param>
+    public static FoldManner DrawnInFrom(LegRig leg, int rows, float[] folded)
+    {
+        FoldManner lying = Of(leg, rows);
+        float lean = IsLaid(leg) ? 0f : MaxLean;
+        return new FoldManner([folded, [0.4f, -0.4f, 0.3f, 0.3f, 0f], [-0.4f, -0.4f, 0.3f, 0.3f, 0f], [0.7f, -0.1f, 0.1f, 0.3f, 0f], [-0.7f, -0.1f, 0.1f, 0.3f, 0f]], [lying.Min[0], lying.Min[1] - DrawnIn, 0f, lying.Min[3], lying.Min[4] - lean], [lying.Max[0], lying.Max[1], DrawnIn, lying.Max[3], lying.Max[4] + lean]);
+    }
 }

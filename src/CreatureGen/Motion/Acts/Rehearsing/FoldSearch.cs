@@ -25,28 +25,11 @@ internal static class FoldSearch
     private const float DownStep = 0.1f;
     private const float MaxSunk = 0.009f;
 
-    // What skin in the ground, feet off it, legs that do not get there and feet far from where they stand cost, for each leg length.
-    private const float SunkCost = 12f;
-    private const float FloatingCost = 2f;
-    private const float MissCost = 0.6f;
-    private const float WayCost = 0.12f;
-
     /// <summary>How far the chest of an upright body is propped up that lies on its belly, radians.</summary>
     private const float Propped = 0.12f;
 
-    /// <summary>What a foot costs that its ankle does not let turn as it is asked, for each square of a radian: far beyond its limit it would come round from the other side.</summary>
-    private const float TurnCost = 0.15f;
-
-    /// <summary>Sine of how far out to the side a foot of a leg below its body lies from its hip, along the hinge of its knee, from which on that costs, and what: no bend of the knee brings it there, and as it comes back the plane of its leg turns round at once.</summary>
-    private const float FarAside = 0.9f;
-    private const float AsideCost = 8f;
-
     /// <summary>In which steps it is sought how far a body rolls over, radians.</summary>
     private const float TurnStep = 0.05f;
-
-    // The same of a knee above the ground, and of a leg that is stretched whole, where it is out to the side: where its foot stands it would arch over the ground like a stilt beside a belly that lies there, and flat out it would be a splayed one.
-    private const float KneeCost = 0.8f;
-    private const float StretchCost = 0.5f;
 
     /// <summary>Finds it for all legs, those of a pair alike.</summary>
     /// <param name="body">Whose.</param>
@@ -61,6 +44,11 @@ internal static class FoldSearch
         }
 
         foreach (float cost in body.Build == BodyBuild.Upright ? Stretched(body, stage, legs) : [])
+        {
+            yield return cost;
+        }
+
+        foreach (float cost in (body.Has & ActNeeds.Back) != 0 ? DrawnIn(body, stage, legs) : [])
         {
             yield return cost;
         }
@@ -118,8 +106,12 @@ internal static class FoldSearch
         legs.Tip = Elevation(body, stage) - Propped;
         values[(int)ActChannel.HindDown] = 1f;
         values[(int)ActChannel.ForeFold] = 1f;
-        return Pairs(body, stage, legs.Stretched, _ => FoldManner.Stretched, values);
+        return Pairs(body, _ => FoldManner.Stretched, pair => new FoldOnGround(body, stage, legs.Stretched, pair, values));
     }
+
+    /// <summary>Where legs out to the sides are as a body rolls over: as little as they can out of the outline of its trunk.</summary>
+    private static IEnumerable<float> DrawnIn(ActBody body, ActStage stage, FoldedLegs legs) =>
+        Pairs(body, leg => FoldManner.DrawnInFrom(leg, body.Legs!.Rows, FoldToTrunk.Folded(body, leg, legs)), pair => new FoldToTrunk(body, stage, legs, pair));
 
     /// <summary>How far a trunk points up as it stands, radians.</summary>
     private static float Elevation(ActBody body, ActStage stage)
@@ -140,7 +132,7 @@ internal static class FoldSearch
         {
             values[(int)ActChannel.ForeDown] = down;
             values[(int)ActChannel.HindDown] = down;
-            foreach (float cost in Pairs(body, stage, legs.Folded, leg => FoldManner.Of(leg, body.Legs!.Rows), values))
+            foreach (float cost in Pairs(body, leg => FoldManner.Of(leg, body.Legs!.Rows), pair => new FoldOnGround(body, stage, legs.Folded, pair, values)))
             {
                 yield return cost;
             }
@@ -153,7 +145,11 @@ internal static class FoldSearch
         }
     }
 
-    private static IEnumerable<float> Pairs(ActBody body, ActStage stage, FootWays ways, Func<LegRig, FoldManner> manner, float[] values)
+    /// <summary>Finds where the legs of each pair go.</summary>
+    /// <param name="body">Whose.</param>
+    /// <param name="manner">How a leg may go.</param>
+    /// <param name="trial">What is tried with a left leg and its right one.</param>
+    private static IEnumerable<float> Pairs(ActBody body, Func<LegRig, FoldManner> manner, Func<(int Left, int Right), FoldTrial> trial)
     {
         for (int leg = 0; leg < body.Legs!.Legs.Length; leg++)
         {
@@ -161,7 +157,7 @@ internal static class FoldSearch
             int other = Array.FindIndex(body.Legs.Legs, one => one.Row == rig.Row && one.Side == Side.Right);
             if (rig.Side == Side.Left && other >= 0)
             {
-                foreach (float cost in Pair(body, stage, ways, manner(rig), (leg, other), values))
+                foreach (float cost in Pair(trial((leg, other)), manner(rig)))
                 {
                     yield return cost;
                 }
@@ -169,19 +165,15 @@ internal static class FoldSearch
         }
     }
 
-    private static IEnumerable<float> Pair(ActBody body, ActStage stage, FootWays ways, FoldManner manner, (int Left, int Right) pair, float[] values)
+    private static IEnumerable<float> Pair(FoldTrial trial, FoldManner manner)
     {
-        (int left, int right) = pair;
-        LegRig rig = body.Legs!.Legs[left];
-        BonePoints skin = body.Skin.Of(joint => body.Hangs(joint, rig.Hip));
-        bool isLaid = FoldManner.IsLaid(rig);
         var best = new float[FoldManner.Count];
         var now = new float[FoldManner.Count];
         float min = float.MaxValue;
         foreach (float[] beginning in manner.Beginnings)
         {
             beginning.CopyTo(now, 0);
-            float cost = Cost(now);
+            float cost = trial.Cost(now);
             float step = FirstStep;
             for (int sweep = 0; sweep < Sweeps && step > LastStep; sweep++)
             {
@@ -195,6 +187,7 @@ internal static class FoldSearch
                 yield return cost;
             }
 
+            cost = trial.Settle(now, cost);
             if (cost < min)
             {
                 min = cost;
@@ -205,7 +198,7 @@ internal static class FoldSearch
             {
                 float before = now[number];
                 now[number] = Scalar.Clamp(before + by, manner.Min[number], manner.Max[number]);
-                float tried = Cost(now);
+                float tried = trial.Cost(now);
                 if (tried < cost - 1e-4f)
                 {
                     cost = tried;
@@ -217,42 +210,6 @@ internal static class FoldSearch
             }
         }
 
-        Set(best);
-
-        void Set(float[] numbers)
-        {
-            ways.Ways[left] = new Vector3(numbers[1], numbers[2], numbers[0]) * rig.Length;
-            ways.Ways[right] = new Vector3(-numbers[1], numbers[2], numbers[0]) * rig.Length;
-            ways.Pitches[left] = ways.Pitches[right] = numbers[3];
-            ways.Leans[left] = ways.Leans[right] = numbers[4];
-        }
-
-        float Cost(float[] numbers)
-        {
-            Set(numbers);
-            stage.Show(values);
-            float lowest = skin.Lowest(stage.Model) / rig.Length;
-            Vector3 asked = rig.Home + ways.Ways[left] + new Vector3(0f, rig.BallHeight, 0f);
-            float miss = Vec.Distance(stage.Model.Positions[rig.Ball], asked) / rig.Length;
-            Quaternion foot = Rotation.Multiply(stage.Model.Rotations[rig.Ball], Rotation.Inverse(body.Skeleton.ModelRotations[rig.Ball]));
-            float turned = (float)Rotation.Angle(Rotation.Multiply(Rotation.Inverse(AxisRotation.About(rig.RollAxis, numbers[3])), foot));
-            float way = (numbers[0] * numbers[0]) + (numbers[1] * numbers[1]) + (0.1f * numbers[3] * numbers[3]);
-            return (SunkCost * Math.Max(0f, -lowest)) + (FloatingCost * Math.Max(0f, lowest)) + (MissCost * miss) + (WayCost * way) + (TurnCost * turned * turned) + (isLaid ? Upright() : Aside(asked));
-        }
-
-        // How far the foot of a leg below its body is out to the side of its hip. One that is out there already turns about the line to it.
-        float Aside(Vector3 asked)
-        {
-            Vector3 chord = asked - stage.Model.Positions[rig.Hip];
-            float sine = rig.Lateral ? 0f : Math.Abs(Vec.Dot(chord, rig.Hinge)) / Math.Max(Vec.Length(chord), 1e-6f);
-            return AsideCost * Math.Max(0f, sine - FarAside);
-        }
-
-        // What of a leg out to the side is not laid beside the body.
-        float Upright()
-        {
-            ReadOnlySpan<Vector3> places = stage.Model.Positions;
-            return (KneeCost * Math.Max(0f, places[rig.Knee].Y) / rig.Length) + (StretchCost * Vec.Distance(places[rig.Hip], places[rig.Ankle]) / rig.Reach);
-        }
+        trial.Set(best);
     }
 }
