@@ -55,7 +55,7 @@ internal sealed class CoatPainter
     public Vector3 BeakColour => head.BeakColour;
 
     /// <summary>Whether the tail ends in a fin, which is skin between rays.</summary>
-    public bool HasTailFin => subject.Tail is TailStyle.Fork or TailStyle.Fan or TailStyle.Lance or TailStyle.Fluke || Anatomy.Tails.TailFin.Of(subject.Tail) != null;
+    public bool HasTailFin => Anatomy.Tails.TailRays.Has(subject.Tail);
 
     /// <summary>Paints all vertices of a surface.</summary>
     /// <param name="addresses">Where each vertex lies.</param>

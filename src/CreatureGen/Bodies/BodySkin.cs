@@ -98,9 +98,10 @@ internal sealed class BodySkin
 
             ApplyShell(body.Shell, i, x, y);
             bool rayed = i >= StationRing.TailFirst && TailRays.Has(tail.Style);
+            Span<float> thickness = tail.Style == TailStyle.Fluke ? y : x;
             for (int j = 0; j <= Half && rayed; j++)
             {
-                x[j] *= (float)TailRays.ThicknessAt(i, PortableMath.Tau * j / BodyGrid.Segments);
+                thickness[j] *= (float)TailRays.ThicknessAt(i, PortableMath.Tau * j / BodyGrid.Segments);
             }
 
             Vector3 centre = shape.Centre(i);
@@ -109,7 +110,7 @@ internal sealed class BodySkin
             for (int j = 0; j <= Half; j++)
             {
                 float along = i >= StationRing.TailFirst ? TailShift(shape, tail, tailStep, i, x[j], y[j]) : 0f;
-                along += rayed ? (float)TailRays.DrawnInAt(i, PortableMath.Tau * j / BodyGrid.Segments, tail.Size, tailStep) : 0f;
+                along += rayed && TailRays.AreSplit(tail.Style) ? (float)TailRays.DrawnInAt(i, PortableMath.Tau * j / BodyGrid.Segments, tail.Size, tailStep) : 0f;
                 float lift = i >= StationRing.TailFirst ? Camber(shape, tail, crest, i, x[j]) : 0f;
                 if (disc != null)
                 {

@@ -25,10 +25,11 @@ internal static class TailShaper
     /// <summary>What is left of the thickness of a stalk where its fin opens that is longer than the fin.</summary>
     private const double StalkEnd = 0.55;
 
-    // Half thickness of an upright fin and of a fluke at their rear edges, metres, and what a fluke has more before it, in half of its span: a sheet is a thread from the side.
+    // Half thickness of an upright fin and of a fluke at their rear edges, metres, and what a fluke has more before it, in half of its span, and how soon that runs out to the edge: a sheet is a thread from the side, a fluke that is thick up to its edge a cushion from behind.
     private const double FinThickness = 0.007;
-    private const double FlukeEdge = 0.012;
+    private const double FlukeEdge = 0.009;
     private const double FlukeFlesh = 0.085;
+    private const double FlukeThins = 1.1;
 
     /// <summary>Half thickness of a fan of feathers over their quills, metres, and the ring from which on it runs out to an edge: as thick to its end it is sawn off.</summary>
     private const double Quills = 0.017;
@@ -74,7 +75,7 @@ internal static class TailShaper
                     double opened = Opened(step, i, FlukeFirst, longest);
                     double q = Scalar.Smooth(opened);
                     double stalk = Stalk(step, i, FlukeFirst, longest);
-                    double flesh = FlukeEdge + (FlukeFlesh * tail.Size * PortableMath.Pow(1 - opened, 0.7) * Scalar.Smooth(2 * opened));
+                    double flesh = FlukeEdge + (FlukeFlesh * tail.Size * PortableMath.Pow(1 - opened, FlukeThins) * Scalar.Smooth(2 * opened));
                     width[i] = (stalk * width0 * (1 - q)) + (tail.Size * opened * (1 + (FlukeBend * (1 - opened))));
                     top[i] = (stalk * top0 * PortableMath.Pow(1 - q, 1.3)) + flesh;
                     bottom[i] = (stalk * bottom0 * PortableMath.Pow(1 - q, 1.3)) + flesh;

@@ -67,6 +67,32 @@ public sealed class FlukeTests
         Assert.True(flukes > 3);
     }
 
+    /// <summary>Part of the rise of a lobe that its first and its last eighth may have: a tip that points up is a horn from ahead.</summary>
+    private const double LevelTip = 0.08;
+
+    [Fact]
+    public void A_fluke_has_rays_and_its_lobes_rise_between_a_level_root_and_a_level_tip()
+    {
+        int flukes = 0;
+        for (ulong seed = 24840000; seed < 24840024; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, LocomotionKind.Swimming);
+            if (creature.Tail.Style != TailStyle.Fluke)
+            {
+                continue;
+            }
+
+            BodySkin skin = BodySkin.Span(BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail), creature);
+            double Thickness(int segment) => System.Numerics.Vector3.Dot(skin[Last - 1, segment] - skin[Last - 1, (BodyGrid.Segments / 2) - segment], skin.Shape.Up(Last - 1));
+            Assert.True(Thickness(3) < (Thickness(2) + Thickness(4)) / 2, FormattableString.Invariant($"{seed}: between two rays {Thickness(3)} m thick, on them {Thickness(2)} and {Thickness(4)}"));
+            flukes++;
+        }
+
+        Assert.True(flukes > 3);
+        Assert.True(FlukeTail.RiseAt(1) - FlukeTail.RiseAt(0.875) < LevelTip * FlukeTail.RiseAt(1));
+        Assert.True(FlukeTail.RiseAt(0.125) < LevelTip * FlukeTail.RiseAt(1));
+    }
+
     /// <summary>Where the faces of a lobe cut through one another they are smoothed until they do not: its tip was cut off square.</summary>
     [Theory]
     [InlineData(24250029)]

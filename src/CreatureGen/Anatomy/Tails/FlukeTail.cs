@@ -10,11 +10,8 @@ internal static class FlukeTail
     /// <summary>How far the tips are bent up, in half spans: a level fluke is a thread from the side.</summary>
     private const double Camber = 0.36;
 
-    /// <summary>Exponent of that bend along a lobe: at 1 lobes are planes in a V, at 2 only their tips turn up.</summary>
-    private const double Arch = 1.5;
-
-    /// <summary>How far a lobe is bent up at a share of its half span, in half spans.</summary>
-    public static double RiseAt(double across) => Camber * PortableMath.Pow(across, Arch);
+    /// <summary>How far a lobe is bent up at a share of its half span, in half spans: level at its root and again at its tip, as the wing of a gull, or from ahead its tip is a horn beside the head.</summary>
+    public static double RiseAt(double across) => Camber * Scalar.Smooth(across);
 
     /// <summary>Where the rear edge of a lobe lies at a share of its half span, in sweeps of its tip behind the root; negative ahead of it.</summary>
     public static double EdgeAt(double across) => edge.At(across);

@@ -3,7 +3,7 @@ using CreatureGen.Maths;
 
 namespace CreatureGen.Anatomy.Tails;
 
-/// <summary>The rays that an upright fin at the end of a tail is spread by: without them it is a shield from behind.</summary>
+/// <summary>The rays that a fin at the end of a tail is spread by: without them an upright one is a shield from behind, and a fluke a slab.</summary>
 internal static class TailRays
 {
     /// <summary>Rays of each side, one on every second segment of the body, so that vertices and texels show the same.</summary>
@@ -20,8 +20,11 @@ internal static class TailRays
     private const double EdgeFirst = 51;
     private const double EdgeRings = 3;
 
-    /// <summary>Whether a fin of a style has rays: flukes are skin.</summary>
-    public static bool Has(TailStyle style) => style is TailStyle.Fork or TailStyle.Fan or TailStyle.Lance || TailFin.Of(style) != null;
+    /// <summary>Whether a tail ends in a fin, which has rays.</summary>
+    public static bool Has(TailStyle style) => style == TailStyle.Fluke || AreSplit(style);
+
+    /// <summary>Whether the edge is drawn in between them: upright fins are skin between rays, flukes all flesh.</summary>
+    public static bool AreSplit(TailStyle style) => style is TailStyle.Fork or TailStyle.Fan or TailStyle.Lance || TailFin.Of(style) != null;
 
     /// <summary>How far a place is off the nearest ray and how far rays stand out there, 0 on a ray and before the fin to 1 between two.</summary>
     /// <param name="ring">Ring of the body.</param>
