@@ -14,6 +14,10 @@ internal sealed class BladeCoat
     private const int Rays = 11;
     private const float BetweenRays = 0.5f;
 
+    // How much of the coat of the body the leading edge of a fin keeps, and the part of the chord over which that is lost: an edge as bright as its blade is a horn from ahead.
+    private const float Leading = 0.8f;
+    private const float LeadWidth = 0.35f;
+
     /// <summary>How far the skin over a finger keeps the coat of the body, in spans.</summary>
     private const float FingerWidth = 0.014f;
 
@@ -52,7 +56,8 @@ internal sealed class BladeCoat
                 float rays = 1f - (BetweenRays * 0.5f * (1f - (float)PortableMath.Cos(place.Chord * PortableMath.Tau * Rays)));
                 float margin = 1f - (0.2f * Scalar.Smooth((place.Along - 0.8f) / 0.2f));
                 float rooted = Scalar.Smooth(place.Along * 1.3f);
-                return Vec.Lerp(colour, finColour, 0.85f * rooted) * Scalar.Lerp(1f, rays * margin, Scalar.Smooth(place.Along * 4f));
+                float lead = 1f - (Leading * (1f - Scalar.Smooth(place.Chord / LeadWidth)));
+                return Vec.Lerp(colour, finColour, 0.85f * rooted * lead) * Scalar.Lerp(1f, rays * margin, Scalar.Smooth(place.Along * 4f));
             case SurfaceRegion.Wing:
                 WingStyle style = place.Appendage >= 0 && place.Appendage < subject.WingStyles.Count ? subject.WingStyles[place.Appendage] : WingStyle.Bat;
                 return style == WingStyle.Folded ? Folded(colour, place)

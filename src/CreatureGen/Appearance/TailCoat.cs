@@ -14,6 +14,10 @@ internal sealed class TailCoat
     private const float Margin = 0.3f;
     private const float MarginFirst = 51.5f;
 
+    // How much of the coat of the body the edges of a fin keep that lead in the water, and from which part of its half span on.
+    private const float Leading = 0.7f;
+    private const float LeadFrom = 0.7f;
+
     // Feathers from the middle of a fan to its side, as its outline has them, and how much darker it is where one lies over the next: of one colour a fan is an apron from behind.
     private const float FeathersOfHalf = 2.5f;
     private const float BetweenVanes = 0.5f;
@@ -61,7 +65,9 @@ internal sealed class TailCoat
             default:
                 float rays = TailRays.Has(subject.Tail) ? 1f - (BetweenRays * (float)TailRays.Between(place.Ring, place.Around)) : 1f;
                 float margin = 1f - (Margin * Scalar.Smooth((place.Ring - MarginFirst) / (BodyGrid.Rings - 1 - MarginFirst)));
-                return Vec.Lerp(colour, finColour, 0.85f * Between(place, 47, 52)) * (rays * margin);
+                float edge = (float)Math.Abs(subject.Tail == TailStyle.Fluke ? PortableMath.Sin(place.Around) : PortableMath.Cos(place.Around));
+                float lead = 1f - (Leading * Scalar.Smooth((edge - LeadFrom) / (1f - LeadFrom)));
+                return Vec.Lerp(colour, finColour, 0.85f * lead * Between(place, 47, 52)) * (rays * margin);
         }
     }
 

@@ -182,6 +182,28 @@ public sealed class CoatPainterTests
     }
 
     [Fact]
+    public void Edges_of_fins_that_lead_keep_the_coat_of_the_body()
+    {
+        var position = new Vector3(0f, 1.4f, 0f);
+        var painter = new CoatPainter(tabby, Subject());
+        Vector3 body = painter.At(Address(SurfaceRegion.Body, 27, 6), position, Vector3.UnitX);
+        Vector3 lead = painter.At(Blade(SurfaceRegion.Fin, 0, 0f), position, Vector3.UnitX);
+        Vector3 middle = painter.At(Blade(SurfaceRegion.Fin, 0, 0.5f), position, Vector3.UnitX);
+        Assert.True(Distance(lead, body) < 0.4f * Distance(middle, body));
+
+        // On a ray in the middle of the blade and on the edge; flukes lie level.
+        Vector3 fin = BladeCoat.FinColour(new CoatPalette(tabby), tabby.PatternSeed);
+        foreach ((TailStyle style, int edge, int blade) in new[] { (TailStyle.Fluke, 8, 4), (TailStyle.Fan, 0, 4), (TailStyle.Fork, 16, 12) })
+        {
+            CoatSubject subject = Subject();
+            subject.Tail = style;
+            var tail = new CoatPainter(tabby, subject);
+            float At(int segment) => Distance(tail.At(Address(SurfaceRegion.Body, 51, segment), position, Vector3.UnitX), fin);
+            Assert.True(At(edge) > 2f * At(blade), $"{style}: {At(edge)} and {At(blade)} from the colour of fins");
+        }
+    }
+
+    [Fact]
     public void Head_marks_come_from_the_seed_in_every_kind()
     {
         var seen = Enumerable.Range(0, 300).Select(HeadMarks.FromSeed).GroupBy(m => m).ToDictionary(g => g.Key, g => g.Count());
