@@ -140,6 +140,21 @@ public sealed class ManeShapeTests
         Assert.True(hangs[1] > 0 && hangs[1] < 0.5 * hangs[0], $"{hangs[1]} of {hangs[0]}");
     }
 
+    /// <summary>Steepest that hair in the water falls off the way to the tail, radians: what falls down the flanks is a row of strips there, what falls forward hides the face.</summary>
+    private const double Trailing = 0.5;
+
+    [Theory]
+    [InlineData(24835009)]
+    [InlineData(24835010)]
+    [InlineData(24840019)]
+    public void Hair_trails_behind_what_swims(ulong seed)
+    {
+        ManeBlueprint[] manes = BlueprintSampler.Sample(seed, LocomotionKind.Swimming).Manes.ToArray();
+        Assert.NotEmpty(manes);
+        Assert.All(manes, mane => Assert.True(mane.Fall <= Trailing || mane.LastRing < StationRing.NeckMiddle, $"{mane}"));
+        Assert.All(manes, mane => Assert.True(mane.Fall < Math.PI / 2, $"{mane}"));
+    }
+
     [Fact]
     public void Hair_on_the_midline_is_single_and_all_other_hair_comes_in_pairs()
     {

@@ -20,8 +20,10 @@ internal static class NeckSampler
     /// <summary>Rise up to which hair lies on the skin, radians.</summary>
     private const double LyingHair = 0.25;
 
-    /// <summary>How far hair hangs down in the water, in what it does on land: it trails behind what swims.</summary>
+    // How far hair hangs down in the water, turns off the way to the tail and leaves the skin, in what it does on land: it trails behind what swims.
     private const double HangsInWater = 0.35;
+    private const double FallsInWater = 0.4;
+    private const double RisesInWater = 0.6;
 
     // How hair that is too long is cut.
     private const double Shortening = 0.88;
@@ -95,14 +97,18 @@ internal static class NeckSampler
         double factor = Scalar.Lerp(preset.Min, preset.Max, size);
         foreach (ManeBlueprint mane in preset.Fields)
         {
-            double hang = builder.Kind == LocomotionKind.Swimming ? HangsInWater * mane.Hang : mane.Hang;
-            ManeBlueprint cut = OffGround(builder, mane with { Length = mane.Length * factor * unit, Width = mane.Width * Math.Sqrt(factor) * unit, Hang = hang });
+            ManeBlueprint worn = builder.Kind == LocomotionKind.Swimming ? Trailing(mane) : mane;
+            ManeBlueprint cut = OffGround(builder, worn with { Length = mane.Length * factor * unit, Width = mane.Width * Math.Sqrt(factor) * unit });
             if (cut.Length >= MinHair && !LiesUnder(builder, cut) && !HangsFromFin(builder, cut))
             {
                 builder.Manes.Add(cut);
             }
         }
     }
+
+    /// <summary>Hair as water lays it back: falling down the flanks or over the face it is a row of stiff strips on what swims.</summary>
+    private static ManeBlueprint Trailing(ManeBlueprint mane) =>
+        mane with { Hang = HangsInWater * mane.Hang, Fall = FallsInWater * mane.Fall, Rise = RisesInWater * mane.Rise };
 
     /// <summary>Adds a collar; <paramref name="size"/> 0..1 goes from its least length to its most. The edge of a disc would cut through it, and in the water it is laid back.</summary>
     public static void Add(CreatureBuilder builder, in FrillPreset preset, double size)
