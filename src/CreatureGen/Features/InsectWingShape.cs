@@ -10,12 +10,12 @@ namespace CreatureGen.Features;
 
 /// <summary>A thin wing of an insect: a closed leaf of two layers that share their edge, veined in the colours of its vertices.</summary>
 /// <remarks>
-/// The outline is that of the wing's style; without one it follows from how broad the wing is: slender ones are straight, middling ones round off behind (wasp),
+/// The outline is that of the wing's style; without one it follows from how broad the wing is: most are narrow at the hinge, broadest beyond the middle and round at the tip (wasp),
 /// broad ones fan out. Broad wings have a dark margin. Material <see cref="MaterialKind.Membrane"/>.
 /// </remarks>
 internal static class InsectWingShape
 {
-    private const int Lines = 7;
+    private const int Lines = 9;
     private const int Strips = Lines - 1;
 
     /// <summary>Stations from one dark band across the wing to the next; and how dark these are on broad wings and on slender ones, where they are cross veins, each strip's between those of its neighbours: plain, slender wings are planks.</summary>
@@ -30,6 +30,16 @@ internal static class InsectWingShape
 
     /// <summary>By how much the base of a wing without a style is broader than its outline has it, in widths.</summary>
     private const float Base = 0.16f;
+
+    // The outline of one that is not broad, in widths behind the axis and lengths: where its rear edge is at the hinge and where it is broadest, how far its leading edge bows to the front there, and from where on it runs round into the tip.
+    private const float Hinge = 0.1f;
+    private const float Broadest = 0.98f;
+    private const float Bow = 0.14f;
+    private const float BroadestAt = 0.7f;
+    private const float RoundFrom = 0.6f;
+
+    /// <summary>Height of the middle of the blade over its edges, in widths of the blade there: a tip that bulges by as much as the middle is a spoon.</summary>
+    private const float Camber = 0.06f;
 
     // Metres at the size of a creature with a torso of one metre.
     private const float RootDepth = 0.012f;
@@ -51,7 +61,7 @@ internal static class InsectWingShape
         ThinWingForm? form = ThinWingForm.Of(wing.Style);
         ReadOnlySpan<float> blade = stackalloc float[] { 0f, 0.03f, 0.07f, 0.13f, 0.19f, 0.27f, 0.35f, 0.445f, 0.54f, 0.635f, 0.73f, 0.82f, 0.90f, 0.96f, 0.99f, 1f };
         int rows = form?.Rows ?? blade.Length;
-        ReadOnlySpan<float> lines = stackalloc float[Lines] { 0f, 0.07f, 0.31f, 0.345f, 0.63f, 0.92f, 1f };
+        ReadOnlySpan<float> lines = stackalloc float[Lines] { 0f, 0.06f, 0.28f, 0.305f, 0.52f, 0.545f, 0.75f, 0.93f, 1f };
         float length = (float)wing.Length * scale;
         float width = (float)wing.Width * scale;
         float aspect = width / length;
@@ -69,7 +79,7 @@ internal static class InsectWingShape
             for (int j = 0; j < Lines; j++)
             {
                 float u = lines[j];
-                float camber = 0.045f * length * 2f * u * (1f - u) * stations[i];
+                float camber = Camber * width * (trail - lead) * 4f * u * (1f - u);
                 float x = stations[i];
                 float y = Scalar.Lerp(lead, trail, u);
                 if (form != null)
@@ -167,7 +177,7 @@ internal static class InsectWingShape
     /// <param name="vein">Linear RGB of the veins.</param>
     private static Vector3 Shade(int strip, float s, float u, float band, float broad, Vector3 membrane, Vector3 vein)
     {
-        if (strip is 0 or 2)
+        if (strip is 0 or 2 or 4)
         {
             return vein * (1f - (0.15f * s));
         }
@@ -185,8 +195,8 @@ internal static class InsectWingShape
         Vector3 sheen = membrane * (1f - (0.12f * s));
 
         // The pale patch in the middle of a butterfly's wing, and pale dots along its margin.
-        float patch = strip is 3 or 4 ? Scalar.Smooth(1f - (Math.Abs(s - 0.52f) / PatchLength)) * Math.Max(0f, 1f - (Math.Abs(u - PatchLine) / PatchWidth)) : 0f;
-        patch = strip == 4 ? Math.Max(patch, 0.5f * (1f - band) * Scalar.Smooth((0.9f - u) / 0.2f)) : patch;
+        float patch = strip is 3 or 5 or 6 ? Scalar.Smooth(1f - (Math.Abs(s - 0.52f) / PatchLength)) * Math.Max(0f, 1f - (Math.Abs(u - PatchLine) / PatchWidth)) : 0f;
+        patch = strip == 6 ? Math.Max(patch, 0.5f * (1f - band) * Scalar.Smooth((0.9f - u) / 0.2f)) : patch;
         sheen = Vec.Lerp(sheen, Vec.Lerp(membrane, Vector3.One, 0.75f), broad * patch);
         return Vec.Lerp(sheen, vein, dark);
     }
@@ -200,19 +210,18 @@ internal static class InsectWingShape
     private static void Outline(float s, float aspect, out float lead, out float trail)
     {
         float broad = Broadness(aspect);
-        float slender = Scalar.Smooth((0.21f - aspect) / 0.07f);
-        float bow = Sine(Power(s, 0.8));
-        float lobe = (1.40f * Power(Sine(0.98f * Power(s, 0.62)), 0.8) * (0.35f + (0.65f * s))) + 0.07f;
-        float blade = (0.80f + (0.32f * Sine(s))) * Math.Min(1f, Power(6f * s, 0.6) + 0.09f) * (float)Math.Sqrt(1f - (0.97f * s * s * s * s * s * s));
+        float lobe = Hinge + ((Broadest - Hinge) * Scalar.Smooth(s / BroadestAt));
         float fan = (0.16f + (0.86f * Power(s, 0.7))) * (1f - (0.58f * Scalar.Smooth((s - 0.6f) / 0.4f)));
-        lead = Scalar.Lerp(-0.15f * bow, -0.28f * Power(Sine(Power(s, 1.5)), 0.8), broad);
-        trail = Scalar.Lerp(Scalar.Lerp(lobe, blade, slender), fan, broad);
+        lead = Scalar.Lerp(-Bow * Scalar.Smooth(s / BroadestAt), -0.28f * Power(Sine(Power(s, 1.5)), 0.8), broad);
+        trail = Scalar.Lerp(lobe, fan, broad);
 
         // It stands on a base, not on a point.
         trail += Base * (1f - s) * (1f - s) * (1f - s);
 
-        // Both edges run round into the tip, which would be sawn off.
-        float round = (float)Math.Sqrt(1f - (0.99f * Power(s, 3.5)));
+        // Both edges run round into the tip, as half an ellipse does: two straight ones are the point of a knife.
+        float beyond = Math.Max(0f, (s - RoundFrom) / (1f - RoundFrom));
+        float ellipse = (float)Math.Sqrt(1f - (0.99f * beyond * beyond));
+        float round = Scalar.Lerp(ellipse, (float)Math.Sqrt(1f - (0.99f * Power(s, 3.5))), broad);
         float middle = Scalar.Lerp(lead, trail, 0.4f);
         lead = Scalar.Lerp(middle, lead, round);
         trail = Scalar.Lerp(middle, trail, round);

@@ -30,7 +30,7 @@ public sealed class InsectWingShapeTests
                     Piece wing = Build(new InsectWingBlueprint(26, 2.5, 0.8, 0.8 * aspect, azimuth, elevation));
                     PieceChecks.IsSound(wing);
                     PieceChecks.NormalsFollowFaces(wing, 0.95);
-                    Assert.Equal(2 * 15 * 6 * 2, PieceChecks.TriangleCount(wing));
+                    Assert.Equal(2 * 15 * 8 * 2, PieceChecks.TriangleCount(wing));
                 }
             }
         }
@@ -48,7 +48,7 @@ public sealed class InsectWingShapeTests
         Piece wing = Build(new InsectWingBlueprint(26, 2.5, 0.8, 0.5, 0.1, 0.4, style));
         PieceChecks.IsSound(wing);
         PieceChecks.NormalsFollowFaces(wing, 0.8);
-        Assert.Equal(2 * 22 * 6 * 2, PieceChecks.TriangleCount(wing));
+        Assert.Equal(2 * 22 * 8 * 2, PieceChecks.TriangleCount(wing));
         Assert.InRange(wing.Positions.Max(p => p.X) - back.Position.X, 0.4f, 0.82f);
     }
 
@@ -64,6 +64,19 @@ public sealed class InsectWingShapeTests
         float[] end = wing.Positions.Where(p => p.X > tip - 1e-3f).Select(p => p.Z).ToArray();
         float[] all = wing.Positions.Select(p => p.Z).ToArray();
         Assert.InRange((end.Max() - end.Min()) / (all.Max() - all.Min()), 0f, 0.15f);
+    }
+
+    /// <summary>They were lances: broadest in the middle, with a point of .3 of that a tenth of their length before the tip.</summary>
+    [Theory]
+    [InlineData(0.12)]
+    [InlineData(0.2)]
+    [InlineData(0.3)]
+    public void A_wing_without_a_family_is_narrow_at_its_hinge_and_round_at_its_tip(double aspect)
+    {
+        Piece wing = Build(new InsectWingBlueprint(26, 2.5, 0.8, 0.8 * aspect, 0, 0));
+        float all = wing.Positions.Max(p => p.Z) - wing.Positions.Min(p => p.Z);
+        Assert.InRange(WidthAt(wing, 0.13f) / all, 0f, 0.45f);
+        Assert.InRange(WidthAt(wing, 0.9f) / all, 0.6f, 1f);
     }
 
     [Fact]
@@ -132,6 +145,13 @@ public sealed class InsectWingShapeTests
             double turn = ((rim[i - 1].X - rim[i - 2].X) * (rim[i].Y - rim[i - 1].Y)) - ((rim[i - 1].Y - rim[i - 2].Y) * (rim[i].X - rim[i - 1].X));
             Assert.True(turn < 1e-4, FormattableString.Invariant($"it turns back at {rim[i - 1].X}, {rim[i - 1].Y}"));
         }
+    }
+
+    /// <summary>Extent from front to rear at a share of the length, metres.</summary>
+    private static float WidthAt(Piece wing, float share)
+    {
+        float[] across = wing.Positions.Where(p => Math.Abs(p.X - back.Position.X - (0.8f * share)) < 0.02f).Select(p => p.Z).ToArray();
+        return across.Max() - across.Min();
     }
 
     private static Piece Build(InsectWingBlueprint blueprint)
