@@ -44,8 +44,7 @@ internal static class InsectWingShape
     // Metres at the size of a creature with a torso of one metre.
     private const float RootDepth = 0.012f;
 
-    // Wings that are not laid over the back, by their azimuth in radians, keep off the midline by so much for each 1 that they rise; over so much of their length it is gone over to that.
-    private const double Laid = -1;
+    // Wings keep off the midline by so much for each 1 that they rise; over so much of their length, and less by the root, which stays where it is, it is gone over to that.
     private const float OffMidline = 0.1f;
     private const float Softness = 0.09f;
 
@@ -90,7 +89,7 @@ internal static class InsectWingShape
                 }
 
                 Vector3 place = root + (along * (x * length)) + (back * (width * y)) + (up * camber);
-                grid[(i * Lines) + j] = wing.Azimuth > Laid ? BesideMidline(place, root, length) : place;
+                grid[(i * Lines) + j] = BesideMidline(place, root, length);
             }
         }
 
@@ -99,12 +98,12 @@ internal static class InsectWingShape
         AppendLayer(builder, grid, stations, lines, up, -thickness, aspect, membrane, vein);
     }
 
-    /// <summary>A place of a left wing, off the midline: hind wings would push through one another over the back.</summary>
+    /// <summary>A place of a left wing, off the midline: hind wings, and those laid over the back, would push through one another.</summary>
     private static Vector3 BesideMidline(Vector3 place, Vector3 root, float length)
     {
         float min = (0.5f * root.X) + (OffMidline * Math.Max(0f, place.Y - root.Y));
         float off = place.X - min;
-        float soft = Softness * length;
+        float soft = Math.Min(Softness * length, Vec.Distance(place, root));
         return place with { X = min + ((off + (float)Math.Sqrt((off * off) + (soft * soft))) / 2f) };
     }
 

@@ -126,11 +126,14 @@ public sealed class InsectWingShapeTests
         Assert.True(wing.Positions.Min(p => p.X) < back.Position.X);
     }
 
-    /// <summary>Hind wings went .09 over the midline, where they pushed through one another.</summary>
-    [Fact]
-    public void Hind_wings_that_are_raised_over_the_back_keep_off_the_midline()
+    /// <summary>Hind wings went .09 over the midline, and wings laid back .05, where they pushed through one another.</summary>
+    [Theory]
+    [InlineData(1.05, 0.82, -0.28, 0.66, ThinWingStyle.ButterflyHind)]
+    [InlineData(0.74, 0.25, -1.26, 0.12, ThinWingStyle.Blade)]
+    [InlineData(0.95, 0.24, -1.48, 0.03, ThinWingStyle.Blade)]
+    public void Wings_that_are_raised_over_the_back_or_laid_on_it_keep_off_the_midline(double length, double width, double azimuth, double elevation, ThinWingStyle style)
     {
-        Piece wing = Build(new InsectWingBlueprint(30, 2.5, 1.05, 0.82, -0.28, 0.66, ThinWingStyle.ButterflyHind));
+        Piece wing = Build(new InsectWingBlueprint(30, 2.5, length, width, azimuth, elevation, style));
         Assert.True(wing.Positions.Min(p => p.X) > 0f, FormattableString.Invariant($"{wing.Positions.Min(p => p.X)}"));
     }
 

@@ -46,6 +46,19 @@ public sealed class ThinWingBladeTests
         Assert.InRange(Math.Abs(face.Z), 0.6f, 0.95f);
     }
 
+    /// <summary>They fell to the midline and were slivers from the side.</summary>
+    [Theory]
+    [InlineData(-72, 7)]
+    [InlineData(-76, 6)]
+    [InlineData(-77, 5)]
+    public void Wings_laid_back_are_a_roof_that_shows_two_fifths_of_its_blade_from_the_side(double azimuth, double elevation)
+    {
+        Vector3 along = Direction(azimuth, elevation);
+        Vector3 back = ThinWingBlade.Trailing(along);
+        Assert.True(back.X < 0f && back.Y > 0f, FormattableString.Invariant($"the rear edge goes {back}"));
+        Assert.InRange(Math.Abs(Vector3.Cross(along, back).X), 0.4f, 0.7f);
+    }
+
     [Theory]
     [InlineData(0, 0)]
     [InlineData(-36, 26)]

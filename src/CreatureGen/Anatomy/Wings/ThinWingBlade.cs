@@ -20,10 +20,10 @@ internal static class ThinWingBlade
 
     // Azimuths, radians, from which on and at which a wing is laid back over the body.
     private const float Laid = -1.05f;
-    private const float WhollyLaid = -1.25f;
+    private const float WhollyLaid = -1.15f;
 
-    /// <summary>The same of a wing that is laid back over the body: towards the midline and down.</summary>
-    private const float LaidRise = -0.28f;
+    /// <summary>The same of a wing that is laid back over the body: towards the midline and up, as a roof; level, or down to the midline, it is a sliver from the side and from ahead.</summary>
+    private const float LaidRise = 0.55f;
 
     /// <summary>Direction in which the blade of a left wing goes back from its axis at rest, unit.</summary>
     /// <param name="along">The axis, from root to tip, unit.</param>

@@ -45,7 +45,7 @@ internal static class Hopper
             },
             Reach = (0.22, 0.28), Height = (0.20, 0.28), Thickness = 0.03,
         },
-        Wings = new ThinWings { Spread = new[] { new ThinWing(ring: 28, length: 1.05, width: 0.26, azimuth: -2, elevation: 34) }, Folded = new[] { new ThinWing(ring: 28, length: 0.95, width: 0.15, azimuth: -85, elevation: 2) } },
+        Wings = new ThinWings { Spread = new[] { new ThinWing(ring: 28, length: 1.05, width: 0.26, azimuth: -2, elevation: 34) }, Folded = new[] { new ThinWing(ring: 28, length: 0.95, width: 0.24, azimuth: -77, elevation: 5) } },
         Parts = new[] { InsectParts.SmallJaws(), InsectParts.Long(0.6) },
         Colourings = new[]
         {

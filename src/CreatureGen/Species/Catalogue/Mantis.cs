@@ -52,7 +52,7 @@ internal static class Mantis
         Wings = new ThinWings
         {
             Spread = new[] { new ThinWing(ring: 28, length: 0.95, width: 0.22, azimuth: -18, elevation: 32), new ThinWing(ring: 31, length: 0.85, width: 0.28, azimuth: -44, elevation: 24) },
-            Folded = new[] { new ThinWing(ring: 30, length: 0.80, width: 0.13, azimuth: -84, elevation: 3) },
+            Folded = new[] { new ThinWing(ring: 30, length: 0.80, width: 0.23, azimuth: -76, elevation: 6) },
         },
         Parts = new[] { InsectParts.SmallJaws(), InsectParts.Long(0.42) },
         Colourings = new[]

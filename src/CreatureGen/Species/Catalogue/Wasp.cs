@@ -45,7 +45,7 @@ internal static class Wasp
         Wings = new ThinWings
         {
             Spread = new[] { new ThinWing(ring: 26, length: 1.0, width: 0.26, azimuth: -6, elevation: 36), new ThinWing(ring: 30, length: 0.72, width: 0.21, azimuth: -36, elevation: 26) },
-            Folded = new[] { new ThinWing(ring: 26, length: 0.68, width: 0.17, azimuth: -79, elevation: 6), new ThinWing(ring: 29, length: 0.50, width: 0.13, azimuth: -83, elevation: 4) },
+            Folded = new[] { new ThinWing(ring: 27, length: 0.74, width: 0.25, azimuth: -72, elevation: 7) },
         },
         Parts = new[] { InsectParts.SmallJaws(), InsectParts.Elbowed() },
         Colourings = new[]
