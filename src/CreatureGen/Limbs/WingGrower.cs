@@ -53,6 +53,9 @@ internal static class WingGrower
     private const float FeatherTip = 0.35f;
     private const float InnerNotch = 0.4f;
 
+    // Over how much of the outermost feather the end of a wing is rounded.
+    private const float RoundTip = 0.35f;
+
     /// <summary>Chord lines of one feather, in its widths: four, or three where there are many.</summary>
     private static readonly float[] dense = { 0.02f, 0.35f, 0.7f, 0.99f };
     private static readonly float[] sparse = { 0.02f, 0.5f, 0.99f };
@@ -184,8 +187,8 @@ internal static class WingGrower
         float off = phase < FeatherTip ? (FeatherTip - phase) / FeatherTip : (phase - FeatherTip) / (1f - FeatherTip);
         float feathered = depth * (1f - ((phase < FeatherTip ? InnerNotch : 1f) * tooth * off * off));
 
-        // The outermost feather is the tip.
-        float last = Math.Max((s * form.Feathers) - (form.Feathers - 1), 0f);
+        // The outermost feather is rounded at its tip.
+        float last = Math.Max(1f - ((1f - s) * form.Feathers / RoundTip), 0f);
         return Math.Max(feathered * (float)Math.Sqrt(1f - (last * last)), MinDepth * (float)wing.Chord);
     }
 

@@ -19,7 +19,7 @@ public sealed class FoldedShapeTests
     public void Leading_edges_of_folded_wings_have_hardly_a_corner_at_the_elbow_as_seen_from_the_side()
     {
         var corners = new List<double>();
-        foreach (StandingFlier flier in StandingFlier.Of(5000, Thoroughness.Of(60)).Where(flier => flier.IsStitched))
+        foreach (StandingFlier flier in StandingFlier.Of(5000, 60).Where(flier => flier.IsStitched))
         {
             flier.Stand(FlatGround.Level);
             Vector3[] joints = flier.Creature.Limbs.First(limb => limb.Kind == LimbKind.Wing).Joints.Select(joint => flier.Animator.ModelPose.Positions[joint] with { X = 0f }).ToArray();
