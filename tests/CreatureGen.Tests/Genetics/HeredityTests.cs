@@ -14,7 +14,7 @@ public sealed class HeredityTests(ITestOutputHelper output)
     private const int Parents = 60;
 
     [Theory]
-    [InlineData(25)]
+    [InlineData(250)]
     [InlineData(1000, Explicit = true)]
     public void Children_show_both_parents_part_by_part_and_strangers_in_no_part(int crosses)
     {
