@@ -3,6 +3,9 @@ namespace CreatureGen.Motion.Gaits;
 /// <summary>The numbers of a gait that pass over smoothly into those of the next one.</summary>
 internal struct GaitShape
 {
+    /// <summary>Part of the way to a gait that is left out: without, numbers that go to 0 would change for ever, and with them all that is worked out anew where they do.</summary>
+    private const float Nothing = 1e-4f;
+
     public float Lift;
     public float Track;
     public float Crouch;
@@ -19,6 +22,10 @@ internal struct GaitShape
     public float Stretch;
     public float Rock;
     public float Arch;
+
+    /// <summary>The gait that it goes to, and which part of the way there is left.</summary>
+    private Gait? goal;
+    private float left;
 
     public static GaitShape Of(Gait gait) => new()
     {
@@ -38,11 +45,29 @@ internal struct GaitShape
         Stretch = gait.Stretch,
         Rock = gait.Rock,
         Arch = gait.Arch,
+        goal = gait,
     };
 
     /// <summary>Goes a share of the way to those of a gait.</summary>
     public void Approach(Gait gait, float fraction)
     {
+        if (!ReferenceEquals(gait, goal))
+        {
+            (goal, left) = (gait, 1f);
+        }
+
+        if (left == 0f)
+        {
+            return;
+        }
+
+        left -= left * fraction;
+        if (left < Nothing)
+        {
+            this = Of(gait);
+            return;
+        }
+
         Lift += (gait.Lift - Lift) * fraction;
         Track += (gait.Track - Track) * fraction;
         Crouch += (gait.Crouch - Crouch) * fraction;
