@@ -7,11 +7,9 @@ namespace CreatureGen.Anatomy.Wings;
 /// <summary>How the blade of a thin wing lies about its axis.</summary>
 internal static class ThinWingBlade
 {
-    /// <summary>Rise of the rear edge of a spread wing at rest, for each 1 that it goes back: so far that the wing is no line from the front or from behind, nor the near one in three-quarter view.</summary>
+    /// <summary>Rise of the rear edge of a spread wing at rest and as it flies, for each 1 that it goes back: at rest it is raised so far that the wing is no line from the front or from behind, nor the near one in three-quarter view.</summary>
     private const float RestRise = 0.85f;
-
-    /// <summary>The same as it flies, level: a wing raised at the top of its beat whose rear edge rises too lies in the line of sight of who looks from ahead and beside.</summary>
-    private const float FlownRise = 0f;
+    private const float FlownRise = 0.22f;
 
     // How much farther it is raised at rest where the wing points back more than up, or the blade would lie in the line of sight from the side and be a rod; by how much more it points back where that begins and where it is all of it; and azimuths, radians, from which on and at which it points back at all.
     private const float SweptRise = 0.95f;
