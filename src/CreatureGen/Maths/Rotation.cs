@@ -149,6 +149,9 @@ public static class Rotation
     /// <summary>How far <paramref name="q"/> turns, radians, 0..π.</summary>
     public static double Angle(Quaternion q) => 2 * PortableMath.Atan2(Length(q.X, q.Y, q.Z), Math.Abs((double)q.W));
 
+    /// <summary>How far one rotation is turned from another, radians, 0..π.</summary>
+    internal static double AngleBetween(Quaternion a, Quaternion b) => Angle(Multiply(Inverse(a), b));
+
     private static Quaternion Blend(Quaternion a, double u, Quaternion b, double v) => Unit((a.X * u) + (b.X * v), (a.Y * u) + (b.Y * v), (a.Z * u) + (b.Z * v), (a.W * u) + (b.W * v));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -37,12 +37,7 @@ internal sealed class FoldToTrunk : FoldTrial
     }
 
     /// <summary>Where a leg is folded, by the numbers of the search.</summary>
-    public static float[] Folded(ActBody body, LegRig leg, FoldedLegs legs)
-    {
-        int index = Array.IndexOf(body.Legs!.Legs, leg);
-        Vector3 way = legs.Folded.Ways[index] / leg.Length;
-        return new[] { way.Z, way.X, way.Y, legs.Folded.Pitches[index], legs.Folded.Leans[index] };
-    }
+    public static float[] Folded(ActBody body, LegRig leg, FoldedLegs legs) => NumbersOf(legs.Folded, leg, Array.IndexOf(body.Legs!.Legs, leg));
 
     protected override float CostThere(Vector3 asked)
     {
@@ -91,13 +86,11 @@ internal sealed class FoldToTrunk : FoldTrial
             Stage.Show(shown);
             (Quaternion thighBefore, Quaternion shankBefore) = (thigh, shank);
             (thigh, shank) = (Stage.Model.Rotations[Leg.Hip], Stage.Model.Rotations[Leg.Knee]);
-            sum += step == 0 ? 0f : Math.Max(0f, Math.Max(Angle(thighBefore, thigh), Angle(shankBefore, shank)) - EvenTurn);
+            sum += step == 0 ? 0f : Math.Max(0f, Math.Max((float)Rotation.AngleBetween(thighBefore, thigh), (float)Rotation.AngleBetween(shankBefore, shank)) - EvenTurn);
         }
 
         return sum;
     }
-
-    private static float Angle(Quaternion a, Quaternion b) => (float)Rotation.Angle(Rotation.Multiply(Rotation.Inverse(a), b));
 
     /// <summary>Fills the channels of a body that tips over.</summary>
     /// <param name="tipped">How far its legs are drawn in, 0..1.</param>

@@ -65,6 +65,13 @@ internal abstract class FoldTrial
         ways.Leans[pair.Left] = ways.Leans[pair.Right] = numbers[4];
     }
 
+    /// <summary>The numbers by which the foot of a left leg goes where it does.</summary>
+    public static float[] NumbersOf(FootWays ways, LegRig leg, int index)
+    {
+        Vector3 way = ways.Ways[index] / leg.Length;
+        return new[] { way.Z, way.X, way.Y, ways.Pitches[index], ways.Leans[index] };
+    }
+
     /// <summary>What that costs; the stage shows it.</summary>
     public float Cost(ReadOnlySpan<float> numbers)
     {
@@ -73,7 +80,7 @@ internal abstract class FoldTrial
         Vector3 asked = Leg.Home + ways.Ways[pair.Left] + new Vector3(0f, Leg.BallHeight, 0f);
         float miss = Vec.Distance(Stage.Model.Positions[Leg.Ball], asked) / Leg.Length;
         Quaternion ball = Rotation.Multiply(Stage.Model.Rotations[Leg.Ball], Rotation.Inverse(Body.Skeleton.ModelRotations[Leg.Ball]));
-        float turned = (float)Rotation.Angle(Rotation.Multiply(Rotation.Inverse(AxisRotation.About(Leg.RollAxis, numbers[3])), ball));
+        float turned = (float)Rotation.AngleBetween(AxisRotation.About(Leg.RollAxis, numbers[3]), ball);
         float ahead = numbers[0] - from[0];
         float aside = numbers[1] - from[1];
         float pitch = numbers[3] - from[3];

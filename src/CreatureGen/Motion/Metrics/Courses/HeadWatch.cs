@@ -29,7 +29,7 @@ internal sealed class HeadWatch
         }
 
         Quaternion now = model.Rotations[head];
-        double turned = begun ? Rotation.Angle(Rotation.Multiply(Rotation.Inverse(before), now)) : 0;
+        double turned = begun ? Rotation.AngleBetween(before, now) : 0;
         Speed = Math.Max(Speed ?? 0f, (float)(turned / dt));
         before = now;
         begun = true;

@@ -59,7 +59,7 @@ internal static class LeastSquaresStep
             Quaternion before = local.Rotations[chain[k]];
             Quaternion turned = Rotation.Normalize(Rotation.Multiply(before, Rotation.FromAxisAngle(own / angle, Math.Min(angle, maxTurn))));
             local.Rotations[chain[k]] = SwingTwistLimit.ClampLocal(turned, joint);
-            float missed = (float)Rotation.Angle(Rotation.Multiply(Rotation.Inverse(turned), local.Rotations[chain[k]]));
+            float missed = (float)Rotation.AngleBetween(turned, local.Rotations[chain[k]]);
             gains[k] = Scalar.Clamp(1f - (missed / Math.Min(angle, maxTurn)), MinGain, 1f);
         }
 

@@ -20,7 +20,7 @@ internal static class SwingTwistBlend
         for (int i = 1; i < Looks; i++)
         {
             Quaternion shortest = Rotation.Slerp(from, to, (float)i / Looks);
-            if (Rotation.Angle(Rotation.Multiply(Rotation.Inverse(shortest), SwingTwistLimit.ClampLocal(shortest, joint))) > Outside)
+            if (Rotation.AngleBetween(shortest, SwingTwistLimit.ClampLocal(shortest, joint)) > Outside)
             {
                 return true;
             }

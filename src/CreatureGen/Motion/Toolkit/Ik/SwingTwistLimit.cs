@@ -53,7 +53,7 @@ public static class SwingTwistLimit
     /// <summary>How far a turn lies outside its limit: the angle between it and its <see cref="Clamp"/>, radians; 0 within.</summary>
     /// <param name="turn">Unit quaternion, in the joint's own axes.</param>
     /// <param name="limit">What it may be.</param>
-    public static float Excess(Quaternion turn, JointLimit limit) => (float)Rotation.Angle(Rotation.Multiply(Rotation.Inverse(turn), Clamp(turn, limit)));
+    public static float Excess(Quaternion turn, JointLimit limit) => (float)Rotation.AngleBetween(turn, Clamp(turn, limit));
 
     /// <summary>A local rotation brought within its joint's limit.</summary>
     /// <param name="local">Unit quaternion, in the parent's space.</param>

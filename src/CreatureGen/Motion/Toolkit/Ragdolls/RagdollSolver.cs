@@ -134,7 +134,7 @@ internal static class RagdollSolver
             return bounded;
         }
 
-        double excess = Rotation.Angle(Rotation.Multiply(Rotation.Inverse(turn), bounded));
+        double excess = Rotation.AngleBetween(turn, bounded);
         return excess <= allowance ? turn : Rotation.Slerp(bounded, turn, allowance / excess);
     }
 

@@ -89,7 +89,7 @@ public static class DampedChain
                 goalBefore = Rotation.Multiply(remembered[i], local.Rotations[joints[i + 1]]);
             }
 
-            double behind = Rotation.Angle(Rotation.Multiply(Rotation.Inverse(goal), now));
+            double behind = Rotation.AngleBetween(goal, now);
             remembered[i] = behind > max ? Rotation.Slerp(goal, now, max / behind) : now;
             local.Rotations[joint] = Rotation.Normalize(Rotation.Multiply(Rotation.Inverse(parent), Rotation.Multiply(toModel, remembered[i])));
             Subtree.Place(skeleton.Parents[joint], joint, local, model);
