@@ -13,8 +13,8 @@ public sealed partial class CreatureAnimator
     private int fetched;
 
     /// <summary>
-    /// Asks for what the update will read and write of this creature, all at once. Of a crowd each finds its own in no near cache, and would wait for one line after the other where it comes to it: a twentieth of the update of
-    /// a walker in a crowd of 512. One that is in the cache already loses nothing.
+    /// Asks for what the update will read and write of this creature, all at once: first objects that lead on to others, then lists. Of a crowd each finds its own in no near cache, and would wait for one line after the other
+    /// where it comes to it: a tenth of the update of a walker in a crowd of 512. One that is in the cache already loses nothing.
     /// </summary>
     private void Fetch()
     {
@@ -24,13 +24,8 @@ public sealed partial class CreatureAnimator
             return;
         }
 
-        int read = MemoryLines.Touch(localRotations, joints) ^ MemoryLines.Touch(localPositions, joints) ^ MemoryLines.Touch(modelRotations, joints) ^ MemoryLines.Touch(modelPositions, joints);
-        read ^= secondary.Fetch();
-        if (StandsOnFeet)
-        {
-            read ^= Legs!.Fetch();
-        }
-
-        fetched = read;
+        int read = StandsOnFeet ? Mode!.Fetch() ^ Legs!.Fetch() : 0;
+        read ^= MemoryLines.Touch(ref root) ^ (headGaze?.Fetch() ?? 0) ^ secondary.Fetch();
+        fetched = read ^ MemoryLines.Touch(localRotations, joints) ^ MemoryLines.Touch(localPositions, joints) ^ MemoryLines.Touch(modelRotations, joints) ^ MemoryLines.Touch(modelPositions, joints);
     }
 }

@@ -67,7 +67,7 @@ public sealed partial class CreatureAnimator
         ForwardKinematics.LocalToModel(skeleton, LocalPose, ModelPose);
         int feet = profile.Legs?.Legs.Length ?? 0;
         events = new EventQueue((2 * feet * WalkingMode.MaxSteps) + (profile.Flight != null ? FlyingMode.MaxBeats : 0) + FallingMode.MaxEvents + feet);
-        secondary = new SecondaryMotion(profile.SpringRigs, profile.SpringSettings);
+        secondary = new SecondaryMotion(profile.Swinging);
         headGaze = profile.Gaze == null ? null : new HeadGaze(profile.Gaze, profile.Subject);
         secondHead = SecondHead.Of(profile.Subject);
         locomotion = new Locomotion(profile, events);

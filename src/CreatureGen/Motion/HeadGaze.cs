@@ -79,6 +79,10 @@ internal sealed class HeadGaze
         blinkPeriod = (float)Scalar.Clamp(3 * PortableMath.Pow(mass, 0.165), 2, 12);
     }
 
+    /// <summary>Asks memory for what it remembers.</summary>
+    /// <returns>See <see cref="MemoryLines"/>.</returns>
+    public int Fetch() => MemoryLines.Touch(ref seconds) ^ MemoryLines.Touch(ref state);
+
     /// <summary>How lids and ears are held; null when the creature blinks and flicks its ears by itself.</summary>
     public StandingAct? Held { get; set; }
 

@@ -75,7 +75,7 @@ public sealed class MotionProfile
         Distant = new Lazy<DistantBody?>(() => DistantRecorder.Of(this), LazyThreadSafetyMode.ExecutionAndPublication);
         Gaze = subject.Skeleton.FirstOf(JointRole.Head) >= 0 ? GazeRig.Of(subject.Skeleton) : null;
         acts = new Lazy<CreatureActs>(RehearseActs);
-        (SpringRigs, SpringSettings) = SecondaryMotion.Of(subject, Legs != null && !Legs.HasAbdomen);
+        Swinging = SecondaryMotion.Of(subject, Legs != null && !Legs.HasAbdomen);
     }
 
     /// <summary>The body that goes.</summary>
@@ -103,10 +103,7 @@ public sealed class MotionProfile
     internal GazeRig? Gaze { get; }
 
     /// <summary>What swings by itself.</summary>
-    internal SpringRig[] SpringRigs { get; }
-
-    /// <summary>How each of these swings.</summary>
-    internal SpringSettings[] SpringSettings { get; }
+    internal SwingingChain[] Swinging { get; }
 
     /// <summary>The body as its walk sees it; null without legs.</summary>
     internal LeggedBody? Legs { get; }

@@ -19,57 +19,51 @@ internal sealed class SecondaryMotion
     /// <summary>Part of a joint's limit that its spring may take up.</summary>
     private const float SwingFraction = 0.38f;
 
-    private readonly SpringRig[] rigs;
-    private readonly SpringSettings[] settings;
+    private readonly SwingingChain[] chains;
     private readonly SpringState[] states;
     private readonly SpringCollider[] ground = new SpringCollider[1];
 
-    public SecondaryMotion(SpringRig[] rigs, SpringSettings[] settings)
+    public SecondaryMotion(SwingingChain[] chains)
     {
-        this.rigs = rigs;
-        this.settings = settings;
-        states = new SpringState[rigs.Length];
-        for (int i = 0; i < rigs.Length; i++)
+        this.chains = chains;
+        states = new SpringState[chains.Length];
+        for (int i = 0; i < chains.Length; i++)
         {
-            states[i] = new SpringState(rigs[i]);
-            states[i].Tune(settings[i]);
-
-            // Made now, so that no update has to.
-            states[i].Colliders = new SpringCollider[ground.Length];
+            // Room for colliders is made now, so that no update has to.
+            states[i] = new SpringState(chains[i].Rig) { Colliders = new SpringCollider[ground.Length] };
         }
     }
 
     /// <summary>Asks memory for what is remembered of each chain.</summary>
-    /// <returns>See <see cref="MemoryLines.Touch"/>.</returns>
+    /// <returns>See <see cref="MemoryLines"/>.</returns>
     public int Fetch()
     {
         int read = 0;
-        for (int i = 0; i < rigs.Length; i++)
+        for (int i = 0; i < chains.Length; i++)
         {
-            read ^= MemoryLines.Touch(states[i].Bones, rigs[i].Bones.Length);
+            read ^= states[i].Fetch();
         }
 
         return read;
     }
 
     /// <summary>The chains of a skeleton that swing, and how.</summary>
-    public static (SpringRig[] Rigs, SpringSettings[] Settings) Of(MotionSubject subject, bool tail)
+    public static SwingingChain[] Of(MotionSubject subject, bool tail)
     {
         Skeleton skeleton = subject.Skeleton;
-        var rigs = new List<SpringRig>();
-        var settings = new List<SpringSettings>();
+        var chains = new List<SwingingChain>();
         Add(JointRole.Tail, tail);
         Add(JointRole.Ear, true);
         Add(JointRole.Antenna, true);
-        return (rigs.ToArray(), settings.ToArray());
+        return chains.ToArray();
 
         void Add(JointRole role, bool wanted)
         {
             SpringRig rig = SpringRig.Of(skeleton, role);
             if (wanted && rig.Joints.Length > 0 && rig.Length > 0f)
             {
-                rigs.Add(rig);
-                settings.Add(Within(role switch { JointRole.Tail => SpringSettings.Tail(rig.Length), JointRole.Ear => SpringSettings.Ear(rig.Length), _ => SpringSettings.Antenna(rig.Length) }, rig, SkinBelow(subject, rig)));
+                SpringSettings free = role switch { JointRole.Tail => SpringSettings.Tail(rig.Length), JointRole.Ear => SpringSettings.Ear(rig.Length), _ => SpringSettings.Antenna(rig.Length) };
+                chains.Add(new SwingingChain(rig, Within(free, rig, SkinBelow(subject, rig))));
             }
         }
     }
@@ -86,20 +80,22 @@ internal sealed class SecondaryMotion
     {
         Vector3 up = Rotation.Rotate(root.Rotation, Vector3.UnitY);
         Vector3 normal = rise == 0f ? up : Rotation.Rotate(root.Rotation, Vec.Normalize(new Vector3(0f, 1f, -rise), Vector3.UnitY));
-        for (int i = 0; i < rigs.Length; i++)
+        for (int i = 0; i < chains.Length; i++)
         {
+            SwingingChain chain = chains[i];
+            SpringRig rig = chain.Rig;
             ReadOnlySpan<SpringCollider> colliders = ReadOnlySpan<SpringCollider>.Empty;
-            float height = (Thickness * rigs[i].Length) - clearance;
-            if (ReachesDown(i, clearance, rise, model))
+            float height = (Thickness * rig.Length) - clearance;
+            if (ReachesDown(rig, clearance, rise, model))
             {
                 ground[0] = SpringCollider.Plane(root.Position + (up * (height * root.Scale)), normal);
                 colliders = ground;
             }
 
-            SpringBones.Update(rigs[i], states[i], settings[i], balanced, root, colliders, seconds, local, model);
-            if (KeepWithinLimits(rigs[i], local, model) && colliders.Length > 0)
+            SpringBones.Update(rig, states[i], chain.Settings, chain.Tuning, balanced, root, colliders, seconds, local, model);
+            if (KeepWithinLimits(rig, local, model) && colliders.Length > 0)
             {
-                ChainLift.Raise(rigs[i], height, rise, settings[i].Radius, local, model);
+                ChainLift.Raise(rig, height, rise, chain.Settings.Radius, local, model);
             }
         }
     }
@@ -147,10 +143,10 @@ internal sealed class SecondaryMotion
     }
 
     /// <summary>Whether a chain is as near to the ground as it is long.</summary>
-    private bool ReachesDown(int chain, float clearance, float rise, in Pose model)
+    private static bool ReachesDown(SpringRig rig, float clearance, float rise, in Pose model)
     {
-        float length = (1f + Thickness + Math.Abs(rise)) * rigs[chain].Length;
-        foreach (int root in rigs[chain].Roots)
+        float length = (1f + Thickness + Math.Abs(rise)) * rig.Length;
+        foreach (int root in rig.Roots)
         {
             if (model.Positions[root].Y + clearance - (rise * model.Positions[root].Z) < length)
             {

@@ -47,7 +47,7 @@ internal sealed class Marcher
             : profile.Slither != null ? new SlitheringMode(profile.Slither)
             : legs!;
         headGaze = profile.Gaze == null ? null : new HeadGaze(profile.Gaze, profile.Subject);
-        secondary = new SecondaryMotion(profile.SpringRigs, profile.SpringSettings);
+        secondary = new SecondaryMotion(profile.Swinging);
         root = place;
     }
 

@@ -22,7 +22,7 @@ public sealed class BankedTailTests
             Creature creature = Walkers.Of(BodyPlan.Flapping, seed);
             int tip = Array.FindLastIndex(creature.Skeleton.Joints.ToArray(), j => j.Role == JointRole.Tail);
             var profile = new MotionProfile(creature);
-            if (tip < 0 || !profile.SpringRigs.Any(r => r.Joints.Contains(tip)))
+            if (tip < 0 || !profile.Swinging.Any(chain => chain.Rig.Joints.Contains(tip)))
             {
                 continue;
             }

@@ -63,6 +63,10 @@ internal sealed partial class FallingMode : ILocomotionMode
         blow = Blow.None;
     }
 
+    /// <summary>Asks memory for what it remembers.</summary>
+    /// <returns>See <see cref="MemoryLines"/>.</returns>
+    public int Fetch() => MemoryLines.Touch(ref footing) ^ MemoryLines.Touch(ref drift) ^ MemoryLines.Touch(ref glide);
+
     /// <summary>What carries the creature.</summary>
     public BodyState State { get; private set; }
 

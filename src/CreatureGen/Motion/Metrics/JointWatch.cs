@@ -34,9 +34,9 @@ internal sealed class JointWatch
             asked[j] = role == JointRole.Wing ? beat : 0f;
         }
 
-        foreach (SpringRig rig in profile.SpringRigs)
+        foreach (SwingingChain chain in profile.Swinging)
         {
-            foreach (int joint in rig.Joints)
+            foreach (int joint in chain.Rig.Joints)
             {
                 driven[joint] = false;
             }

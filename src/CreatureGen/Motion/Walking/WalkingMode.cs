@@ -156,9 +156,11 @@ internal sealed partial class WalkingMode : ILocomotionMode
     /// <summary>The sharpest turn at a speed ahead, world metres per second, of a creature so many times as large as its model; radians per second.</summary>
     public float SharpestTurn(float speed, float scale, in MotionSettings settings) => clock.SharpestTurn(speed / scale, VelocityBounds.Of(body, settings with { Gravity = GravityOf(settings, scale) }), GravityOf(settings, scale));
 
-    /// <summary>Asks memory for what it remembers of its feet and of their sums.</summary>
-    /// <returns>See <see cref="MemoryLines.Touch"/>.</returns>
-    public int Fetch() => MemoryLines.Touch(planner.Feet, body.Legs.Length) ^ placer.Fetch();
+    /// <summary>Asks memory for what it remembers.</summary>
+    /// <returns>See <see cref="MemoryLines"/>.</returns>
+    public int Fetch() =>
+        MemoryLines.Touch(ref activity) ^ MemoryLines.Touch(ref velocity) ^ MemoryLines.Touch(ref life) ^ MemoryLines.Touch(ref sway) ^ MemoryLines.Touch(ref underfoot)
+        ^ clock.Fetch() ^ placer.Fetch() ^ pace.Fetch() ^ planner.Fetch();
 
     /// <summary>How a foot is.</summary>
     public FootReport Report(int leg) => planner.Feet[leg].Report(body.Legs[leg].Ball);

@@ -154,7 +154,7 @@ public class FlankTests
         var animator = new CreatureAnimator(profile);
         animator.Teleport(animator.Root, FlatGround.Level);
         animator.Perform(ability);
-        HashSet<int> hung = [.. profile.SpringRigs.SelectMany(rig => rig.Joints.ToArray())];
+        HashSet<int> hung = [.. profile.Swinging.SelectMany(chain => chain.Rig.Joints.ToArray())];
         Quaternion[] before = animator.LocalPose.Rotations.ToArray();
         double fastest = 0;
         for (int i = 0; i < Fine * ability.SecondsToLast; i++)

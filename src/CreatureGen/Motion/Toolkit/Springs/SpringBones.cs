@@ -46,12 +46,11 @@ public static class SpringBones
     /// <exception cref="ArgumentException">The state is of another rig, a pose is not as long as the skeleton, or a number is not finite.</exception>
     public static void Update(SpringRig rig, SpringState state, in SpringSettings settings, in RootPlace root, ReadOnlySpan<SpringCollider> colliders, float seconds, in Pose local, in Pose model)
     {
-        state.Tune(settings);
-        Update(rig, state, settings, settings.Gravity, root, colliders, seconds, local, model);
+        Update(rig, state, settings, state.Tune(settings), settings.Gravity, root, colliders, seconds, local, model);
     }
 
-    /// <summary>The same under another acceleration than the settings have, for which the state has been tuned.</summary>
-    internal static void Update(SpringRig rig, SpringState state, in SpringSettings settings, Vector3 gravity, in RootPlace root, ReadOnlySpan<SpringCollider> colliders, float seconds, in Pose local, in Pose model)
+    /// <summary>The same under another acceleration than the settings have, with what has been worked out for them.</summary>
+    internal static void Update(SpringRig rig, SpringState state, in SpringSettings settings, SpringTuning tuning, Vector3 gravity, in RootPlace root, ReadOnlySpan<SpringCollider> colliders, float seconds, in Pose local, in Pose model)
     {
         local.Require(rig.Skeleton);
         model.Require(rig.Skeleton);
@@ -68,28 +67,19 @@ public static class SpringBones
         }
 
         state.Gravity = gravity;
-        ReadModelPose(rig, state, root, model);
+        Span<SpringAim> now = stackalloc SpringAim[rig.Joints.Length];
+        ReadModelPose(rig, now, root, model);
         ReadOnlySpan<SpringCollider> around = Place(colliders, state, root, model);
         if (!state.Started)
         {
-            Start(rig, state, root);
+            state.Start(root, now);
         }
         else
         {
             state.Carry(root, IsJump(state.Root, root, settings, seconds) ? 0f : settings.Inertia);
         }
 
-        bool pause = seconds > LongestStep;
-        if (pause)
-        {
-            state.Rest();
-        }
-
-        Simulate(rig, state, settings, root, around, pause ? 0f : seconds, local, model);
-        if (pause)
-        {
-            state.Aim();
-        }
+        Simulate(rig, state, settings, tuning, root, around, seconds, now, local, model);
     }
 
     private static bool IsJump(in RootPlace past, in RootPlace now, in SpringSettings settings, float seconds)
@@ -106,45 +96,24 @@ public static class SpringBones
         return !small && Rotation.Angle(turn) > settings.TeleportAngle;
     }
 
-    private static void ReadModelPose(SpringRig rig, SpringState state, in RootPlace root, in Pose model)
+    private static void ReadModelPose(SpringRig rig, Span<SpringAim> now, in RootPlace root, in Pose model)
     {
         float nought = 0f;
         ReadOnlySpan<SpringJoint> joints = rig.Bones;
-        Span<SpringBone> bones = state.Bones.AsSpan(0, joints.Length);
-        for (int i = 0; i < bones.Length; i++)
+        for (int i = 0; i < joints.Length; i++)
         {
-            ref SpringBone bone = ref bones[i];
             int joint = joints[i].Joint;
-            bone.PastPosition = bone.NowPosition;
-            bone.PastAlong = bone.NowAlong;
             Vector3 p = Vec.Scale(Rotation.Rotate(root.Rotation, model.Positions[joint]), root.Scale);
             Vector3 own = joints[i].Direction;
             Vector3 inModel = own == Vector3.UnitY ? UnitRotation.BoneAxis(model.Rotations[joint]) : Rotation.Rotate(model.Rotations[joint], own);
             Vector3 along = Rotation.Rotate(root.Rotation, inModel);
             nought += ((along.X + along.Y + along.Z) + (p.X + p.Y + p.Z)) * 0f;
-            bone.NowPosition = p;
-            bone.NowAlong = along;
+            now[i].Position = p;
+            now[i].Along = along;
             if (nought != 0f)
             {
                 throw PoseCheck.NotFinite(joint);
             }
-        }
-    }
-
-    private static void Start(SpringRig rig, SpringState state, in RootPlace root)
-    {
-        state.Started = true;
-        state.Root = root;
-        state.Debt = 0f;
-        for (int i = 0; i < state.Bones.Length; i++)
-        {
-            ref SpringBone bone = ref state.Bones[i];
-            bone.PastPosition = bone.NowPosition;
-            bone.PastAlong = bone.NowAlong;
-            bone.Offset = Vector3.Zero;
-            bone.Velocity = Vector3.Zero;
-            bone.GoalVelocity = Vector3.Zero;
-            bone.Goal = bone.NowPosition + (bone.NowAlong * (rig.Bones[i].Length * root.Scale));
         }
     }
 
@@ -182,8 +151,15 @@ public static class SpringBones
     }
 
     /// <summary>Makes the substeps that are due, and poses the joints for the moment of the frame.</summary>
-    private static void Simulate(SpringRig rig, SpringState state, in SpringSettings settings, in RootPlace root, ReadOnlySpan<SpringCollider> colliders, float seconds, in Pose local, in Pose model)
+    private static void Simulate(SpringRig rig, SpringState state, in SpringSettings settings, SpringTuning tuning, in RootPlace root, ReadOnlySpan<SpringCollider> colliders, float seconds, ReadOnlySpan<SpringAim> now, in Pose local, in Pose model)
     {
+        bool pause = seconds > LongestStep;
+        if (pause)
+        {
+            state.Rest(now);
+            seconds = 0f;
+        }
+
         float debt = state.Debt + seconds;
         int steps = (int)(debt / Substep);
         int stride = Math.Min(steps, MaxMoments - 1) + 1;
@@ -204,7 +180,7 @@ public static class SpringBones
             {
                 for (int i = 0; i < rig.Joints.Length; i++)
                 {
-                    Advance(rig, state, settings, root.Scale, colliders, i, fractions.Slice(0, count), moments, stride);
+                    Advance(rig, state, settings, tuning, root.Scale, colliders, i, now[i], fractions.Slice(0, count), moments, stride);
                 }
             }
             else
@@ -215,12 +191,14 @@ public static class SpringBones
                 int shown = between ? stride - 1 : count - 1;
                 for (int i = 0; i < rig.Joints.Length; i++)
                 {
-                    Advance(rig, state, settings, root.Scale, colliders, i, fractions.Slice(0, count), moments, stride);
+                    Advance(rig, state, settings, tuning, root.Scale, colliders, i, now[i], fractions.Slice(0, count), moments, stride);
                     if (between)
                     {
-                        Foresee(rig, state, settings, root.Scale, colliders, i, moments, stride);
+                        Vector3 goal = Foresee(rig, state, settings, tuning, root.Scale, colliders, i, now[i], moments, stride);
+                        state.Bones[i].Goal = pause ? goal : state.Bones[i].Goal;
                     }
 
+                    state.Bones[i].Past = now[i];
                     Show(rig, settings, root, i, moments[(i * stride) + shown].Deviation, local, model);
                 }
             }
@@ -235,34 +213,35 @@ public static class SpringBones
     }
 
     /// <summary>Some substeps of one bone; its parent has made them already. One bone after the other, not one step after the other: a step waits for little of the one before, but a bone for all of its parent.</summary>
-    private static void Advance(SpringRig rig, SpringState state, in SpringSettings settings, float scale, ReadOnlySpan<SpringCollider> colliders, int index, ReadOnlySpan<float> fractions, Span<SpringMoment> moments, int stride)
+    private static void Advance(SpringRig rig, SpringState state, in SpringSettings settings, SpringTuning tuning, float scale, ReadOnlySpan<SpringCollider> colliders, int index, in SpringAim now, ReadOnlySpan<float> fractions, Span<SpringMoment> moments, int stride)
     {
         const float PerSecond = 1f / Substep;
         ref readonly SpringJoint joint = ref rig.Bones[index];
         int parent = joint.Parent;
         float length = joint.Length * scale;
-        float width = length * state.Width;
+        float width = length * tuning.Width;
+        ref readonly SpringTone tone = ref tuning.Bones[index];
         ref SpringBone bone = ref state.Bones[index];
-        float radius = bone.Radius * scale;
-        Vector3 push = Vec.Scale(state.Gravity, Substep * bone.GravityFraction);
-        DampedSpring step = bone.Step;
+        float radius = tone.Radius * scale;
+        Vector3 push = Vec.Scale(state.Gravity, Substep * tone.GravityFraction);
+        DampedSpring step = tone.Step;
         for (int k = 0; k < fractions.Length; k++)
         {
             float fraction = fractions[k];
             ref SpringMoment moment = ref moments[(index * stride) + k];
-            Vector3 animated = fraction >= 1f ? bone.NowAlong : Vec.Normalize(Vec.Lerp(bone.PastAlong, bone.NowAlong, fraction), bone.NowAlong);
-            moment.Animated = Vec.Lerp(bone.PastPosition, bone.NowPosition, fraction);
+            Vector3 animated = fraction >= 1f ? now.Along : Vec.Normalize(Vec.Lerp(bone.Past.Along, now.Along, fraction), now.Along);
+            moment.Animated = Vec.Lerp(bone.Past.Position, now.Position, fraction);
             Quaternion carried = Carried(ref moment, moments, (parent * stride) + k, settings.Inherit, out float squared);
             Vector3 along = SimdKernels.RotateByAny(carried, squared, animated);
             Vector3 tail = Vec.Scale(along, length);
             Vector3 goal = moment.Place + tail;
             Vector3 goalVelocity = Vec.Scale(goal - bone.Goal, PerSecond);
             Vector3 offset = bone.Offset;
-            Vector3 velocity = Driven(bone, goalVelocity, push, width);
-            velocity = bone.Slowed < 1f ? Blown(velocity, goalVelocity, settings.Wind, bone.Slowed) : velocity;
+            Vector3 velocity = Driven(bone, tone.Liveliness, goalVelocity, push, width);
+            velocity = tone.Slowed < 1f ? Blown(velocity, goalVelocity, settings.Wind, tone.Slowed) : velocity;
             Vector3 free = Vec.Scale(offset, step.PlaceOfPlace) + Vec.Scale(velocity, step.PlaceOfVelocity);
             velocity = Vec.Scale(offset, step.VelocityOfPlace) + Vec.Scale(velocity, step.VelocityOfVelocity);
-            Vector3 direction = InCone(Vec.Normalize(tail + free, along), along, state.SwingCosine, state.SwingSine);
+            Vector3 direction = InCone(Vec.Normalize(tail + free, along), along, tuning.SwingCosine, tuning.SwingSine);
             direction = Outside(colliders, moment.Place, direction, length, radius);
             Vector3 held = Vec.Scale(direction, length) - tail;
             bone.Offset = held;
@@ -274,26 +253,29 @@ public static class SpringBones
     }
 
     /// <summary>Finds how a bone is at the moment of the frame, after the last substep and before the next; its parent has been found already.</summary>
-    private static void Foresee(SpringRig rig, SpringState state, in SpringSettings settings, float scale, ReadOnlySpan<SpringCollider> colliders, int index, Span<SpringMoment> moments, int stride)
+    /// <returns>The goal of its tip at that moment.</returns>
+    private static Vector3 Foresee(SpringRig rig, SpringState state, in SpringSettings settings, SpringTuning tuning, float scale, ReadOnlySpan<SpringCollider> colliders, int index, in SpringAim now, Span<SpringMoment> moments, int stride)
     {
         ref readonly SpringJoint joint = ref rig.Bones[index];
         float length = joint.Length * scale;
+        ref readonly SpringTone tone = ref tuning.Bones[index];
         ref SpringBone bone = ref state.Bones[index];
         ref SpringMoment moment = ref moments[(index * stride) + stride - 1];
-        moment.Animated = bone.NowPosition;
+        moment.Animated = now.Position;
         Quaternion carried = Carried(ref moment, moments, (joint.Parent * stride) + stride - 1, settings.Inherit, out float squared);
-        Vector3 along = SimdKernels.RotateByAny(carried, squared, bone.NowAlong);
+        Vector3 along = SimdKernels.RotateByAny(carried, squared, now.Along);
         Vector3 tail = Vec.Scale(along, length);
-        bone.Shown = moment.Place + tail;
+        Vector3 goal = moment.Place + tail;
         float fraction = state.Debt / Substep;
-        Vector3 goalVelocity = fraction > MinFraction ? (bone.Shown - bone.Goal) / state.Debt : bone.GoalVelocity;
-        Vector3 velocity = Driven(bone, goalVelocity, Vec.Scale(state.Gravity, Substep * bone.GravityFraction), length * state.Width);
-        velocity = bone.Slowed < 1f ? Blown(velocity, goalVelocity, settings.Wind, bone.Slowed) : velocity;
-        Vector3 free = Vec.Lerp(bone.Offset, Vec.Scale(bone.Offset, bone.Step.PlaceOfPlace) + Vec.Scale(velocity, bone.Step.PlaceOfVelocity), fraction);
-        Vector3 direction = InCone(Vec.Normalize(tail + free, along), along, state.SwingCosine, state.SwingSine);
-        direction = Outside(colliders, moment.Place, direction, length, bone.Radius * scale);
+        Vector3 goalVelocity = fraction > MinFraction ? (goal - bone.Goal) / state.Debt : bone.GoalVelocity;
+        Vector3 velocity = Driven(bone, tone.Liveliness, goalVelocity, Vec.Scale(state.Gravity, Substep * tone.GravityFraction), length * tuning.Width);
+        velocity = tone.Slowed < 1f ? Blown(velocity, goalVelocity, settings.Wind, tone.Slowed) : velocity;
+        Vector3 free = Vec.Lerp(bone.Offset, Vec.Scale(bone.Offset, tone.Step.PlaceOfPlace) + Vec.Scale(velocity, tone.Step.PlaceOfVelocity), fraction);
+        Vector3 direction = InCone(Vec.Normalize(tail + free, along), along, tuning.SwingCosine, tuning.SwingSine);
+        direction = Outside(colliders, moment.Place, direction, length, tone.Radius * scale);
         bone.OffsetShown = Vec.Scale(direction, length) - tail;
         moment.Deviation = Turned(carried, squared, along, direction);
+        return goal;
     }
 
     /// <summary>Poses a joint by its deviation from the animation; its parent is posed already.</summary>
@@ -346,19 +328,20 @@ public static class SpringBones
 
     /// <summary>Velocity of a tip relative to its goal as a substep begins: no greater than that of a free swing of full width at its offset.</summary>
     /// <param name="bone">After the substep before.</param>
+    /// <param name="liveliness">See <see cref="SpringTone.Liveliness"/>.</param>
     /// <param name="goalVelocity">Of the goal in this one.</param>
     /// <param name="push">Velocity that gravity adds.</param>
     /// <param name="width">The greatest offset.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector3 Driven(in SpringBone bone, Vector3 goalVelocity, Vector3 push, float width)
+    private static Vector3 Driven(in SpringBone bone, float liveliness, Vector3 goalVelocity, Vector3 push, float width)
     {
         Vector3 velocity = bone.Velocity + (bone.GoalVelocity - goalVelocity) + push;
-        if (float.IsPositiveInfinity(bone.Liveliness))
+        if (float.IsPositiveInfinity(liveliness))
         {
             return velocity;
         }
 
-        float max = bone.Liveliness * Math.Max((width * width) - Vec.LengthSquared(bone.Offset), 0f);
+        float max = liveliness * Math.Max((width * width) - Vec.LengthSquared(bone.Offset), 0f);
         float squared = Vec.LengthSquared(velocity);
         return squared > max ? Vec.Scale(velocity, MathF.Sqrt(max / squared)) : velocity;
     }

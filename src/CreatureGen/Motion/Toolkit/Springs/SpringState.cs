@@ -1,3 +1,4 @@
+using System;
 using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit.Springs;
@@ -9,21 +10,15 @@ namespace CreatureGen.Motion.Toolkit;
 /// </summary>
 public sealed class SpringState
 {
-    private ChainCurve frequency;
-    private ChainCurve ratio;
-    private ChainCurve radius;
-    private ChainCurve drag;
-    private ChainCurve fraction;
-    private float swing;
-    private float speed;
-    private bool tuned;
+    private SpringTuning? tuning;
+    private RootPlace root;
 
     /// <summary>Starts at rest: the first update takes the animated pose as it is.</summary>
     public SpringState(SpringRig rig)
     {
         Rig = rig;
         Bones = new SpringBone[rig.Joints.Length];
-        Colliders = System.Array.Empty<SpringCollider>();
+        Colliders = Array.Empty<SpringCollider>();
     }
 
     internal SpringRig Rig { get; }
@@ -35,7 +30,11 @@ public sealed class SpringState
     internal float Debt { get; set; }
 
     /// <summary>Where the creature was.</summary>
-    internal RootPlace Root { get; set; }
+    internal RootPlace Root
+    {
+        get => root;
+        set => root = value;
+    }
 
     /// <summary>Acceleration in the world that the bones feel in this update, m/s².</summary>
     internal Vector3 Gravity { get; set; }
@@ -43,17 +42,12 @@ public sealed class SpringState
     /// <summary>What is remembered of each joint of the rig, in its order.</summary>
     internal SpringBone[] Bones { get; }
 
-    /// <summary>Cosine of the most that a bone swings from its goal.</summary>
-    internal float SwingCosine { get; private set; }
-
-    /// <summary>Its sine.</summary>
-    internal float SwingSine { get; private set; }
-
-    /// <summary>The greatest offset of a tip from its goal, lengths of its bone.</summary>
-    internal float Width { get; private set; }
-
     /// <summary>Colliders from the creature's place, world axes; grows to the most that were ever given.</summary>
     internal SpringCollider[] Colliders { get; set; }
+
+    /// <summary>Asks memory for what is remembered.</summary>
+    /// <returns>See <see cref="MemoryLines"/>.</returns>
+    internal int Fetch() => MemoryLines.Touch(ref root) ^ MemoryLines.Touch(Bones, Rig.Bones.Length);
 
     /// <summary>Forgets all motion: the next update takes the animated pose as it is.</summary>
     public void Reset() => Started = false;
@@ -82,41 +76,34 @@ public sealed class SpringState
     }
 
     /// <summary>Works out the springs anew if the settings are not those they were worked out for.</summary>
-    internal void Tune(in SpringSettings settings)
+    internal SpringTuning Tune(in SpringSettings settings)
     {
-        bool air = drag.Is(settings.Drag) && fraction.Is(settings.GravityFraction);
-        if (tuned && air && radius.Is(settings.Radius) && frequency.Is(settings.Frequency) && ratio.Is(settings.DampingRatio) && swing == settings.MaxSwing && speed == settings.MaxSpeed)
+        if (tuning == null)
         {
-            return;
+            tuning = new SpringTuning(Rig, settings);
+        }
+        else if (!tuning.Is(settings))
+        {
+            tuning.Take(settings);
         }
 
-        tuned = true;
-        frequency = settings.Frequency;
-        ratio = settings.DampingRatio;
-        radius = settings.Radius;
-        drag = settings.Drag;
-        fraction = settings.GravityFraction;
-        swing = settings.MaxSwing;
-        speed = settings.MaxSpeed;
-        PortableMath.SinCos(swing, out double sine, out double cosine);
-        SwingSine = (float)sine;
-        SwingCosine = (float)cosine;
-        Width = (float)System.Math.Sqrt(2 * (1 - cosine));
+        return tuning;
+    }
+
+    /// <summary>Takes the pose for what always was.</summary>
+    internal void Start(in RootPlace root, ReadOnlySpan<SpringAim> now)
+    {
+        Started = true;
+        Root = root;
+        Debt = 0f;
         for (int i = 0; i < Bones.Length; i++)
         {
-            float along = Rig.Places[i];
-            float cycles = System.Math.Max(frequency.At(along), 0f);
-            double fastest = cycles * PortableMath.Tau * speed;
-            Bones[i].Liveliness = cycles > 0f && fastest < 1e9 ? (float)(fastest * fastest) : float.PositiveInfinity;
-            Bones[i].Slowed = Damping.Left(System.Math.Max(drag.At(along), 0f), SpringBones.Substep);
-            Bones[i].GravityFraction = fraction.At(along);
-            Bones[i].Radius = System.Math.Max(radius.At(along), 0f);
-            Bones[i].Step = new DampedSpring((float)(cycles * PortableMath.Tau), System.Math.Max(ratio.At(along), 0f), SpringBones.Substep);
+            Bones[i] = new SpringBone { Goal = now[i].Position + (now[i].Along * (Rig.Bones[i].Length * root.Scale)), Past = now[i] };
         }
     }
 
-    /// <summary>After a pause: shapes as they were shown, no velocities.</summary>
-    internal void Rest()
+    /// <summary>After a pause: shapes as they were shown, no velocities, and no way from where the animation was.</summary>
+    internal void Rest(ReadOnlySpan<SpringAim> now)
     {
         bool between = Debt > 0f;
         Debt = 0f;
@@ -126,17 +113,7 @@ public sealed class SpringState
             bone.Offset = between ? bone.OffsetShown : bone.Offset;
             bone.Velocity = Vector3.Zero;
             bone.GoalVelocity = Vector3.Zero;
-            bone.PastPosition = bone.NowPosition;
-            bone.PastAlong = bone.NowAlong;
-        }
-    }
-
-    /// <summary>Takes the goals of the moment for those of the last substep.</summary>
-    internal void Aim()
-    {
-        for (int i = 0; i < Bones.Length; i++)
-        {
-            Bones[i].Goal = Bones[i].Shown;
+            bone.Past = now[i];
         }
     }
 
@@ -151,7 +128,7 @@ public sealed class SpringState
             {
                 ref SpringBone bone = ref Bones[i];
                 bone.Goal -= shift;
-                bone.PastPosition -= shift;
+                bone.Past.Position -= shift;
             }
 
             Root = root;
@@ -168,8 +145,8 @@ public sealed class SpringState
             bone.Velocity = Rotation.Rotate(silent, bone.Velocity) * grown;
             bone.GoalVelocity = Rotation.Rotate(silent, bone.GoalVelocity) * grown;
             bone.Goal = (Rotation.Rotate(silent, bone.Goal) * grown) - shift;
-            bone.PastPosition = (Rotation.Rotate(silent, bone.PastPosition) * grown) - shift;
-            bone.PastAlong = Rotation.Rotate(silent, bone.PastAlong);
+            bone.Past.Position = (Rotation.Rotate(silent, bone.Past.Position) * grown) - shift;
+            bone.Past.Along = Rotation.Rotate(silent, bone.Past.Along);
         }
 
         Root = root;

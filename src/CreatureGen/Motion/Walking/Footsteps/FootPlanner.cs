@@ -73,6 +73,19 @@ internal sealed partial class FootPlanner
     /// <summary>What is in the way of each foot that swings.</summary>
     public ReadOnlySpan<SwingClearance> Ways => ways;
 
+    /// <summary>Asks memory for what it remembers of each foot.</summary>
+    /// <returns>See <see cref="MemoryLines"/>.</returns>
+    public int Fetch()
+    {
+        int read = MemoryLines.Touch(feet, body.Legs.Length);
+        foreach (SwingClearance way in ways)
+        {
+            read ^= way.Fetch();
+        }
+
+        return read;
+    }
+
     /// <summary>Takes over where the feet of another are.</summary>
     public void CopyFrom(FootPlanner other)
     {

@@ -27,6 +27,10 @@ internal sealed class SwingClearance
     /// <summary>The first knot beyond a share of the way; <see cref="Knots"/> for none.</summary>
     public static int After(float along) => Math.Min((int)(along * (Knots + 1)), Knots);
 
+    /// <summary>Asks memory for whether there is anything in the way.</summary>
+    /// <returns>See <see cref="Maths.MemoryLines"/>.</returns>
+    public int Fetch() => level ? 1 : 0;
+
     /// <summary>Forgets the ground.</summary>
     public void Clear()
     {

@@ -141,6 +141,10 @@ internal sealed class GaitClock
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public float LegPhase(int leg) => StepPhase.Place((float)Phase, lags[leg]);
 
+    /// <summary>Asks memory for what it knows.</summary>
+    /// <returns>See <see cref="MemoryLines"/>.</returns>
+    public int Fetch() => MemoryLines.Touch(ref paceFroude) ^ MemoryLines.Touch(ref Shape) ^ MemoryLines.Touch(ref longest) ^ MemoryLines.Touch(lags, body.Legs.Length);
+
     /// <summary>Takes over the place and the numbers of another.</summary>
     public void CopyFrom(GaitClock other)
     {

@@ -32,6 +32,10 @@ internal sealed class LegPace
         shown = new LegTurns[body.Legs.Length];
     }
 
+    /// <summary>Asks memory for what was shown.</summary>
+    /// <returns>See <see cref="MemoryLines"/>.</returns>
+    public int Fetch() => MemoryLines.Touch(shown, body.Legs.Length);
+
     /// <summary>Takes over what another has shown.</summary>
     public void CopyFrom(LegPace other)
     {

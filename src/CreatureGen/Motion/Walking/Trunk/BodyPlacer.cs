@@ -107,8 +107,9 @@ internal sealed class BodyPlacer
     /// <summary>Fore-aft difference between left and right rear feet, leg lengths.</summary>
     public float Scissor { get; private set; }
 
-    /// <inheritdoc cref="FourierSums.Fetch"/>
-    public int Fetch() => sums.Fetch();
+    /// <summary>Asks memory for what it remembers.</summary>
+    /// <returns>See <see cref="MemoryLines"/>.</returns>
+    public int Fetch() => MemoryLines.Touch(ref slope) ^ MemoryLines.Touch(ref turnBend) ^ MemoryLines.Touch(ref way) ^ MemoryLines.Touch(ref drop) ^ sums.Fetch() ^ response.Fetch() ^ Trunk.Fetch();
 
     /// <summary>Takes over what another has smoothed; all else follows from the feet with the next placing.</summary>
     public void CopyFrom(BodyPlacer other)

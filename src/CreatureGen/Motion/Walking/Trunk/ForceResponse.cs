@@ -31,6 +31,10 @@ internal sealed class ForceResponse
     /// <summary>Height above its mean at which a body is whose feet all come down together, in units of g/(2πf)²: below it, more so the longer it flies.</summary>
     public float Touchdown { get; private set; }
 
+    /// <summary>Asks memory for the coefficients.</summary>
+    /// <returns>See <see cref="MemoryLines"/>.</returns>
+    public int Fetch() => MemoryLines.Touch(ref tunedDuty) ^ MemoryLines.Touch(pushes, Harmonics + 1);
+
     /// <summary>Finds the coefficients of the push relative to its mean. They are kept while the gait is steady.</summary>
     /// <param name="duty">β, part of the cycle.</param>
     /// <param name="dip">q.</param>

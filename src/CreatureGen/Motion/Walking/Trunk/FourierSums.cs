@@ -18,7 +18,7 @@ internal sealed class FourierSums
     public ReadOnlySpan<Harmonic> Harmonics => harmonics;
 
     /// <summary>Asks memory for the sums over the legs.</summary>
-    /// <returns>See <see cref="MemoryLines.Touch"/>.</returns>
+    /// <returns>See <see cref="MemoryLines"/>.</returns>
     public int Fetch() => MemoryLines.Touch(harmonics, ForceResponse.Harmonics + 1);
 
     public void Clear() => Array.Clear(harmonics, 0, harmonics.Length);

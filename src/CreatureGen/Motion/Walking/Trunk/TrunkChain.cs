@@ -73,6 +73,14 @@ internal sealed class TrunkChain
     /// <summary>The further turn of the last joint.</summary>
     public Quaternion ChestTurn { get; private set; } = Quaternion.Identity;
 
+    /// <summary>Asks memory for the joints.</summary>
+    /// <returns>See <see cref="MemoryLines"/>.</returns>
+    public int Fetch()
+    {
+        int count = body.Trunk.Length;
+        return MemoryLines.Touch(bent, count) ^ MemoryLines.Touch(bends, count) ^ MemoryLines.Touch(Turns, count) ^ MemoryLines.Touch(Positions, count);
+    }
+
     /// <summary>Bends the chain, as seen from the pelvis.</summary>
     /// <returns>From the pelvis to the joint of the fore legs.</returns>
     public Vector3 Flex(in TrunkPlan plan)
