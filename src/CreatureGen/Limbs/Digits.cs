@@ -20,7 +20,7 @@ internal static class Digits
     private const float WidestSplay = 0.95f;
 
     /// <summary>Splay of the toes of a foot that trails in the water, relative to that of one that stands.</summary>
-    private const float Closed = 0.75f;
+    private const float Closed = 0.42f;
 
     /// <summary>How far long toes under a body are turned out, in their splay: straight ahead they hold the legs apart like a wishbone.</summary>
     internal const float TurnedOut = 0.28f;
