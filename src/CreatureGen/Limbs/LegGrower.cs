@@ -77,6 +77,9 @@ internal static class LegGrower
     /// <summary>Rings before and behind a socket whose sections a limb keeps out of.</summary>
     private const int GuardedRings = 7;
 
+    /// <summary>How far from the middle of a pad its nails are, in its radii.</summary>
+    private const float NailReach = 1.01f;
+
     /// <summary>How far the foot of a leg out to the side is turned to the level where it hangs in the water: level, it is a stick from the front and the side.</summary>
     private const float OarTurn = 0.4f;
 
@@ -142,7 +145,7 @@ internal static class LegGrower
                 for (int q = -1; q <= 1; q++)
                 {
                     double a = q * 0.75;
-                    var p = end.Centre + new Vector3((float)PortableMath.Sin(a) * end.AcrossRadius * 0.9f, 0f, (float)PortableMath.Cos(a) * end.ForeRadius * 0.89f);
+                    var p = end.Centre + (new Vector3((float)PortableMath.Sin(a) * end.AcrossRadius, 0f, (float)PortableMath.Cos(a) * end.ForeRadius) * NailReach);
                     p.Y = end.ForeRadius * 0.22f;
                     ends.Tips.Add(new DigitTip(DigitTipKind.Nail, p, new Vector3((float)PortableMath.Sin(a), 0f, (float)PortableMath.Cos(a)), end.ForeRadius * 0.2f, 0f, grown.End[0]));
                 }

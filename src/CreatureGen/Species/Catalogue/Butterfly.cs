@@ -41,7 +41,7 @@ internal static class Butterfly
                 new ThinWing(ring: 26, length: 0.98, width: 0.6, azimuth: -16, elevation: 39, style: ThinWingStyle.ButterflyFore),
                 new ThinWing(ring: 30, length: 0.84, width: 0.68, azimuth: -1, elevation: 38, style: ThinWingStyle.ButterflyHind),
             } },
-        Parts = new[] { InsectParts.SmallJaws(), new PartSlot(new PartChoice(1, InsectParts.Part(InsectParts.Feeler(ring: 6, segment: 2.6, length: 0.5, radius: 0.011, outward: 0.4, upward: 0.85, forward: 0.7, bendUp: 0, bendForward: 0, knob: 1.2), 0.9, 1.1))) },
+        Parts = new[] { InsectParts.SmallJaws(), new PartSlot(new PartChoice(1, InsectParts.Part(InsectParts.Feeler(ring: 6, segment: 2.6, length: 0.4, radius: 0.012, outward: 0.5, upward: 1, forward: 0.45, bendUp: -0.35, bendForward: 0.35, knob: 1.1), 0.9, 1.1))) },
         Colourings = new[] { new Colouring(new Tint(0.30, 0.03, 60)) { Kind = PatternKind.Plain, KeepsAccent = true }, new Colouring(new Tint(0.22, 0.02, 270)) { Kind = PatternKind.Plain, KeepsAccent = true } },
     };
 }
