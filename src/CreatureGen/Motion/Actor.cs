@@ -89,7 +89,12 @@ internal sealed class Actor
         bool holds = Performer.HoldsFeet;
         if (Performer.IsActive)
         {
-            Performer.Advance(dt, locomotion.Legs == null || (locomotion.Legs.Stands && mode.StandsOnFeet), root);
+            bool stands = locomotion.Legs is { Stands: true } && mode.StandsOnFeet;
+            Performer.Advance(dt, locomotion.Legs == null || stands, root);
+            if (stands)
+            {
+                Performer.LayFeetAlong(ActGround.Under(locomotion.Legs!.Feet, root));
+            }
         }
 
         return holds ? new MotionInput(0f) : input;

@@ -65,7 +65,7 @@ internal sealed class BellyRise : IRise
             }
         }
 
-        lift = Math.Max(0f, -profile.Support.Lowest(BodyPart.Trunk | BodyPart.Limb, place, shown.Model, settings.Up, ground, out _));
+        lift = -profile.Support.Lowest(BodyPart.Trunk | BodyPart.Limb, place, shown.Model, settings.Up, ground, out _);
         profile.Raise(local, lift);
     }
 
@@ -76,13 +76,15 @@ internal sealed class BellyRise : IRise
     public void Show(float u, in RootPlace place, float dt, in MotionSettings settings, BodyLayer? layer, in Pose local)
     {
         flow.Write(start + ((1f - start) * u), values);
+        ActGround under = ActGround.Under(legs.Feet, place);
         performer.Show(values, default, place);
+        performer.LayFeetAlong(under);
         asked.CopyFrom(performer.Trunk!);
         asked.Still = 0f;
         asked.Add(layer);
         legs.Hold(place, dt, settings, asked, local);
         shown.Take(local);
-        performer.Pose(place, true, ActGround.Under(legs.Feet, place), shown.Local, shown.Model);
+        performer.Pose(place, true, under, shown.Local, shown.Model);
         shown.Local.Rotations.CopyTo(local.Rotations);
         shown.Local.Positions.CopyTo(local.Positions);
         profile.Raise(local, lift * (1f - Scalar.Smooth(u)));

@@ -39,6 +39,9 @@ internal sealed class GettingUp
     /// <summary>How much more it may heave itself for that, leg lengths.</summary>
     private const float MoreHeave = 0.03f;
 
+    /// <summary>How quickly it comes down where it would hang in the air as it rises, 1/τ.</summary>
+    private const float LowerRate = 6f;
+
     /// <summary>How fast the joints of legs turn towards where they belong at most, radians per τ.</summary>
     private const float FastestLimb = 4f;
 
@@ -73,6 +76,7 @@ internal sealed class GettingUp
     private float elapsed;
     private float gap;
     private float height;
+    private float lowered;
     private Clearing over;
 
     public GettingUp(FallProfile profile, ILocomotionMode inner, WalkingMode? legs)
@@ -167,7 +171,7 @@ internal sealed class GettingUp
         unit = tau * profile.Manner.Tempo;
         gather = Scalar.Lerp(GatherTime, RollTime, Scalar.Smooth(Math.Max(Math.Abs(fromTurn.Pitch - toTurn.Pitch), Math.Abs(fromTurn.Roll - toTurn.Roll)) / Rolled)) * unit;
         rise = rises ? rising!.Seconds(tau) : 0f;
-        elapsed = 0f;
+        (elapsed, lowered) = (0f, 0f);
         over = profile.Swims ? default : GroundClearance.Clear(profile, shown, place, 0f, settings.Up, ground);
     }
 
@@ -206,9 +210,10 @@ internal sealed class GettingUp
             float kept = 1f - Scalar.Smooth(u / Lowered);
             profile.Raise(local, over.OfLimbs * kept);
             shown.Take(local);
-            shown.Finish();
+            Lower(place, dt, settings, ground);
             GroundClearance.BendUp(profile, shown, place, settings.Up, ground);
             shown.Local.Rotations.CopyTo(local.Rotations);
+            shown.Local.Positions.CopyTo(local.Positions);
             profile.Raise(local, over.OfEnds * kept);
             Stands = kept == 0f && IsUp();
         }
@@ -249,8 +254,18 @@ internal sealed class GettingUp
         other.standing.CopyTo(standing, 0);
         last.Take(other.last.Pose);
         fade.CopyFrom(other.fade);
-        (Stands, height) = (other.Stands, other.height);
+        (Stands, height, lowered) = (other.Stands, other.height, other.lowered);
         other.goesAround.CopyTo(goesAround, 0);
+    }
+
+    /// <summary>Lets a body down that hangs in the air: the ground of the act by which it rises is a plane, and treads of stairs are below that.</summary>
+    private void Lower(in RootPlace place, float dt, in MotionSettings settings, IGround ground)
+    {
+        shown.Finish();
+        float hangs = Math.Max(0f, profile.Support.Lowest(BodyPart.Trunk | BodyPart.Limb, place, shown.Model, settings.Up, ground, out _));
+        lowered = Math.Min(hangs, Damping.Approach(lowered, hangs, LowerRate / unit, dt));
+        profile.Raise(shown.Local, -lowered);
+        shown.Finish();
     }
 
     /// <summary>Whether its trunk is about as high as it stands, and its feet are where they stand.</summary>

@@ -5,6 +5,8 @@ using System.Numerics;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Metrics;
+using CreatureGen.Motion.Metrics.Courses;
 using CreatureGen.Rigging;
 using CreatureGen.Sampling;
 using Xunit;
@@ -39,6 +41,30 @@ public sealed class KnockedDownTests
     [Theory]
     [InlineData(24730005UL)]
     public void Nobody_hangs_in_the_air_over_legs_that_it_draws_in(ulong seed) => Assert.InRange(Of(seed).Hangs, 0f, 0.025f);
+
+    /// <summary>The ground by which these rose was level at the mean height of their feet, be they on one tread or on several: all of them hung above the stairs by .33, .30, .37 and .31 of a leg.</summary>
+    [Theory]
+    [InlineData(24860114UL)]
+    [InlineData(24870005UL)]
+    [InlineData(24870004UL, Explicit = true)]
+    [InlineData(24870002UL, Explicit = true)]
+    public void Nobody_hangs_in_the_air_over_stairs_as_it_gets_up(ulong seed)
+    {
+        const float MaxHangs = 0.09f;
+        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        var runs = new MotionInput(profile.Gaits!.Speeds[^1].Comfortable);
+        var script = new CourseScript("down on stairs", [new(2f, runs), new(1f, runs with { YawRate = 2.5f }), new(2f, default), new(3f, default) { Body = BodyCommand.KnockDown }, new(9f, default) { Body = BodyCommand.GetUp }]);
+        var course = new CourseSimulation(profile, script, CourseGround.Stairs, CourseRate.Of(60f));
+        float hangs = 0f;
+        foreach (float _ in course.Updates())
+        {
+            CreatureAnimator animator = course.Animator;
+            hangs = animator.State == BodyState.Rising ? MathF.Max(hangs, profile.Fall.Value.Support.Lowest(animator.Root, animator.ModelPose, Vector3.UnitY, course.Surface.Ground)) : hangs;
+        }
+
+        Assert.Equal(BodyState.Supported, course.Animator.State);
+        Assert.InRange(hangs / profile.LegLength, 0f, MaxHangs);
+    }
 
     /// <summary>Long toes that pointed down held these up: at 1.08 and .95 of a leg.</summary>
     [Theory]

@@ -145,6 +145,16 @@ internal sealed class ActLayer
         return Math.Sign(rig.Home.X) * Math.Max(inward, 0f);
     }
 
+    /// <summary>Has feet of folded legs go along the ground on their ways, and not level: on a slope they would be in it, or off it.</summary>
+    /// <param name="ground">That the feet stand on.</param>
+    public void LayAlong(in ActGround ground)
+    {
+        foreach (ref FootLayer foot in Trunk.Feet.AsSpan())
+        {
+            foot.Way.Y -= foot.Loose * ((ground.Normal.X * foot.Way.X) + (ground.Normal.Z * foot.Way.Z)) / ground.Normal.Y;
+        }
+    }
+
     /// <summary>Takes a foot to its target.</summary>
     /// <param name="aim">What is brought where; what is no foot is not taken anywhere.</param>
     /// <param name="targetModel">The aim's target, model space.</param>

@@ -219,6 +219,10 @@ internal sealed class Performer
         layer.Aim(aim, root.ToModel(aim.Target), values[(int)ActChannel.Reach]);
     }
 
+    /// <summary>Has feet of folded legs go along the ground: asked for after each advance, and before trunk and feet are written.</summary>
+    /// <param name="ground">That the feet stand on.</param>
+    public void LayFeetAlong(in ActGround ground) => layer.LayAlong(ground);
+
     /// <summary>Forgets how arms and heads came out of the ground: what is shown next does not follow on what was shown before.</summary>
     public void Forget() => ends.Forget();
 
