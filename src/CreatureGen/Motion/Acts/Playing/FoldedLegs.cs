@@ -8,7 +8,7 @@ namespace CreatureGen.Motion.Acts.Playing;
 internal sealed class FoldedLegs
 {
     /// <summary>How high a foot goes on its way, metres over the length of that way: one that is drawn back slides along the ground, below its hip.</summary>
-    private const float FoldedArch = 0.35f;
+    private const float FoldedArch = 0.12f;
     private const float StretchedArch = 0.04f;
 
     public FoldedLegs(int legs)

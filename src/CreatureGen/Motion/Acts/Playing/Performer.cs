@@ -245,6 +245,9 @@ internal sealed class Performer
             Settle(ground, local, model);
             GroundedEars.Keep(body, ground, local, model);
             ends.KeepHead(ground, over, local, model);
+
+            // Turned with the head since, ears would lift the body where they give way.
+            GroundedEars.Keep(body, ground, local, model);
             LiftOverHead(ground, local, model);
             ends.KeepTail(ground, over, local, model);
             ends.KeepArms(ground, over, layer.Loose > 0f, local, model);

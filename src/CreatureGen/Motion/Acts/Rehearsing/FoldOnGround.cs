@@ -2,6 +2,7 @@ using System;
 using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Acts.Bodies;
+using CreatureGen.Motion.Acts.Data;
 using CreatureGen.Motion.Acts.Playing;
 
 namespace CreatureGen.Motion.Acts.Rehearsing;
@@ -17,19 +18,22 @@ internal sealed class FoldOnGround : FoldTrial
     private const float FarAside = 0.9f;
     private const float AsideCost = 8f;
 
+    /// <summary>What a foot above the ground costs, for each leg length: the rest of its leg may lie on it already.</summary>
+    private const float HeldCost = 0.7f;
+
     // What a knee above the ground costs, and a leg that is stretched whole, where it is out to the side: where its foot stands it would arch over the ground like a stilt beside a belly that lies there, and flat out it would be a splayed one.
     private const float KneeCost = 0.8f;
     private const float StretchCost = 0.5f;
 
+    private readonly BonePoints foot;
+
     public FoldOnGround(ActBody body, ActStage stage, FootWays ways, (int Left, int Right) pair, float[] values)
-        : base(body, stage, ways, pair, values, new float[FoldManner.Count])
-    {
-    }
+        : base(body, stage, ways, pair, values, new float[FoldManner.Count]) => foot = body.Skin.Of(joint => body.Hangs(joint, Leg.Ball));
 
     protected override float CostThere(Vector3 asked)
     {
         float lowest = Skin.Lowest(Stage.Model) / Leg.Length;
-        return (SunkCost * Math.Max(0f, -lowest)) + (FloatingCost * Math.Max(0f, lowest)) + (FoldManner.IsLaid(Leg) ? Upright() : Aside(asked));
+        return (SunkCost * Math.Max(0f, -lowest)) + (FloatingCost * Math.Max(0f, lowest)) + (FoldManner.IsLaid(Leg) ? Upright() : Aside(asked) + Held());
     }
 
     /// <summary>How far the foot of a leg below its body is out to the side of its hip. One that is out there already turns about the line to it.</summary>
@@ -39,6 +43,9 @@ internal sealed class FoldOnGround : FoldTrial
         float sine = Leg.Lateral ? 0f : Math.Abs(Vec.Dot(chord, Leg.Hinge)) / Math.Max(Vec.Length(chord), 1e-6f);
         return AsideCost * Math.Max(0f, sine - FarAside);
     }
+
+    /// <summary>How far the foot of a leg below its body is off the ground. Pillars fold too little to lie with theirs on it.</summary>
+    private float Held() => Body.Build == BodyBuild.Columnar ? 0f : HeldCost * Math.Max(0f, foot.Lowest(Stage.Model)) / Leg.Length;
 
     /// <summary>What of a leg out to the side is not laid beside the body.</summary>
     private float Upright()
