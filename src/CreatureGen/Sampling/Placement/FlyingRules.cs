@@ -23,8 +23,8 @@ internal static class FlyingRules
     public const double WingRingGap = 3;
 
     private const double WingSegment = 6;
-    private const int WingRows = 6;
-    private const int WingColumns = 2;
+    private const int WingRows = 4;
+    private const int WingColumns = 4;
 
     private static readonly ScaleRange uniformWing = new(0.85, 1.2);
     private static readonly ScaleRange thinWing = new(0.75, 1.3);
