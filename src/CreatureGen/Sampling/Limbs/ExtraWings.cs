@@ -21,6 +21,9 @@ internal static class ExtraWings
     /// <summary>Rings from the first pair to the second.</summary>
     private const int Behind = 7;
 
+    /// <summary>Segments by which the second pair sits higher on the back: stout thighs begin below it.</summary>
+    private const int AboveThighs = 1;
+
     /// <summary>Segments by which raised wings sit higher on the back of what has arms below them.</summary>
     private const int AboveArms = 2;
 
@@ -39,7 +42,7 @@ internal static class ExtraWings
         if (builder.Stream("second wings").Chance(SecondPairs * builder.Strangeness) && builder.Wings.Count == 1)
         {
             WingBlueprint first = builder.Wings[0];
-            SocketBlueprint socket = first.Socket with { Ring = first.Socket.Ring + Behind };
+            SocketBlueprint socket = first.Socket with { Ring = first.Socket.Ring + Behind, Segment = first.Socket.Segment - AboveThighs };
             Add(builder, first with { Socket = socket, Span = first.Span * SecondSpan, Chord = first.Chord * SecondSpan, Rise = first.Rise * SecondRise, Sweep = first.Sweep + SecondSweep });
         }
     }
