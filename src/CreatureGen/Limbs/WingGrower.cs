@@ -99,6 +99,9 @@ internal static class WingGrower
         Func<float, Vector3> bones = LeadingEdge(wing, arm, socket);
         float root = 2f * socket.HalfLength;
 
+        // An arm on a socket that is only long has no shoulder: it carries nothing.
+        float shoulder = wing.Socket.Columns > TipColumns ? 1f : 0f;
+
         BodyShape shape = body.Skin.Shape;
         double start = wing.Socket.Ring + wing.Socket.Rows;
         double end = Math.Min(Math.Min(Hip, free), shape.RingAt(BodyShape.At(shape.Arc, start) + (MaxHeld * wing.Chord)));
@@ -143,7 +146,7 @@ internal static class WingGrower
         Vector3 Back(float s)
         {
             double turn = form.Feathers > 0 ? FeatherTurn * s : 0;
-            double incidence = (Washout * (1 - Scalar.Smooth(s / WashedOut))) + (WingForm.RestIncidence * Scalar.Smooth(s / Hung)) + (WingForm.OuterIncidence * Scalar.Smooth((s - OuterHung) / (WhollyOuterHung - OuterHung)));
+            double incidence = (shoulder * Washout * (1 - Scalar.Smooth(s / WashedOut))) + (WingForm.RestIncidence * Scalar.Smooth(s / Hung)) + (WingForm.OuterIncidence * Scalar.Smooth((s - OuterHung) / (WhollyOuterHung - OuterHung)));
             PortableMath.SinCos(RootFall + (TipFall * s) + incidence, out double down, out double level);
             return (Vec.Lerp(-Vector3.UnitY, off, Scalar.Smooth(s / Hung)) * (float)down) + new Vector3((float)(level * PortableMath.Sin(turn)), 0f, -(float)(level * PortableMath.Cos(turn)));
         }
@@ -163,7 +166,7 @@ internal static class WingGrower
         {
             Normal = Normal,
             Middle = Middle,
-            Thickness = (s, u) => Math.Max(Thickness(thickest, s, u), Muscle(socket.HalfWidth, s, u)) + FingerRidge(form, thickest, s, u),
+            Thickness = (s, u) => Math.Max(Thickness(thickest, s, u), Muscle(shoulder * socket.HalfWidth, s, u)) + FingerRidge(form, thickest, s, u),
             Sections = form.Feathers > 0 ? FeatherSections(form.Feathers) : MembraneSections(form),
             Blend = 0.14f,
             Crowding = 0.85f,

@@ -20,7 +20,7 @@ internal static class ColumnLeg
                 new() { Forward = 40, Down = 220, Outward = 50, ForeRadius = 960, SideRadius = 850, SideOffset = -110 },
                 new() { Forward = 75, Down = 450, Outward = 50, ForeRadius = 610, SideRadius = 490, ForeOffset = -30, SideOffset = -20 },
                 new() { Forward = 10, Down = 660, Outward = 35, ForeRadius = 490, SideRadius = 470 },
-                new() { Forward = -10, Down = 830, Outward = 30, ForeRadius = 405, SideRadius = 400 },
+                new() { Forward = -10, Down = 830, Outward = 30, ForeRadius = 350, SideRadius = 340 },
                 new() { Forward = 20, Down = 925, Outward = 30, ForeRadius = 560, SideRadius = 575 },
                 new() { Forward = 25, Down = 1000, Outward = 30, ForeRadius = 575, SideRadius = 590 },
             },

@@ -59,7 +59,7 @@ internal static class ExtraWings
         if (winged && builder.Species.Class != AnimalClass.Arthropod && builder.Parents.Legs.Bird is null)
         {
             bool armed = builder.Plan is BodyPlan.Upright or BodyPlan.Centaur;
-            SocketBlueprint socket = armed ? FlyingRules.WingSocket with { Segment = FlyingRules.WingSocket.Segment - AboveArms } : FlyingRules.WingSocket;
+            SocketBlueprint socket = armed ? FlyingRules.RaisedWingSocket with { Segment = FlyingRules.RaisedWingSocket.Segment - AboveArms } : FlyingRules.RaisedWingSocket;
             WingForm form = WingForm.Of(style);
             span = Math.Min(span * form.Span, Math.Max(MinRaised * WingSampler.CarriedTorso(builder), TallestRaised * Back(builder)));
             Add(builder, new WingBlueprint(style, socket, span, WingSampler.DepthOf(builder, form, span), rise, sweep));

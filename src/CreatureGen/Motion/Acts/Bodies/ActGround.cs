@@ -13,6 +13,9 @@ internal readonly record struct ActGround(Vector3 Point, Vector3 Normal)
     /// <summary>How much what feet stand on counts beside where they are, part of how far they are apart, squared.</summary>
     private const float Underfoot = 0.01f;
 
+    /// <summary>How far up the normal of what feet stand on points at the least: a wall leads nowhere.</summary>
+    private const float Steepest = 0.2f;
+
     /// <summary>Level, at the height of the root.</summary>
     public static ActGround Level => new(Vector3.Zero, Vector3.UnitY);
 
@@ -62,8 +65,9 @@ internal readonly record struct ActGround(Vector3 Point, Vector3 Normal)
         float told = Underfoot * (across + along);
         across += told;
         along += told;
-        riseAcross -= told * underfoot.X / underfoot.Y;
-        riseAlong -= told * underfoot.Z / underfoot.Y;
+        told /= Math.Max(underfoot.Y, Steepest);
+        riseAcross -= told * underfoot.X;
+        riseAlong -= told * underfoot.Z;
         float size = (across * along) - (both * both);
         return size > 0f
             ? Vec.Normalize(new Vector3(((both * riseAlong) - (along * riseAcross)) / size, 1f, ((both * riseAcross) - (across * riseAlong)) / size), underfoot)

@@ -44,6 +44,9 @@ internal static class FootRoll
     /// <summary>Pitch over which they begin to, radians: at once they would throw the foot up.</summary>
     private const float ToeEasing = 0.5236f;
 
+    /// <summary>Part of their pitch up to which feet on their toes roll off before a wall: they turn about the very tip then, which their skin does not do, and slide.</summary>
+    private const float BeforeWall = 0.5f;
+
     /// <summary>Part of the pitch that toes off the ground make.</summary>
     private const float ToeFraction = 0.8f;
 
@@ -104,6 +107,10 @@ internal static class FootRoll
         if (foot.Plan.From.Overhangs)
         {
             most = leg.FlatFoot ? Math.Min(most, ToeBreak) : 0f;
+        }
+        else if (foot.Plan.From.MeetsWall && !leg.FlatFoot)
+        {
+            most *= BeforeWall;
         }
 
         float off = Math.Min(most, 0.5f * FastestRoll * rising * duty * cycle);

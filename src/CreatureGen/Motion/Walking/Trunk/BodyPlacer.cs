@@ -107,8 +107,7 @@ internal sealed class BodyPlacer
     /// <summary>Fore-aft difference between left and right rear feet, leg lengths.</summary>
     public float Scissor { get; private set; }
 
-    /// <summary>Asks memory for what it remembers.</summary>
-    /// <returns>See <see cref="MemoryLines"/>.</returns>
+    /// <inheritdoc cref="WalkingMode.Fetch"/>
     public int Fetch() => MemoryLines.Touch(ref slope) ^ MemoryLines.Touch(ref turnBend) ^ MemoryLines.Touch(ref way) ^ MemoryLines.Touch(ref drop) ^ sums.Fetch() ^ response.Fetch() ^ Trunk.Fetch();
 
     /// <summary>Takes over what another has smoothed; all else follows from the feet with the next placing.</summary>
