@@ -46,10 +46,10 @@ internal static class MemoryLines
     }
 
     /// <summary>Reads a number of each line that a part of an object lies in, and so fetches what lies beside it too.</summary>
-    /// <param name="part">A field of it, of four bytes or more, without references.</param>
+    /// <param name="part">A field of it, of four bytes or more.</param>
     /// <returns>What was read, mixed, as above.</returns>
     public static int Touch<T>(ref T part)
-        where T : struct
+        where T : unmanaged
     {
         int read = 0;
 #if NET

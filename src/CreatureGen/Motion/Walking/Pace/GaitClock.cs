@@ -143,7 +143,7 @@ internal sealed class GaitClock
 
     /// <summary>Asks memory for what it knows.</summary>
     /// <returns>See <see cref="MemoryLines"/>.</returns>
-    public int Fetch() => MemoryLines.Touch(ref paceFroude) ^ MemoryLines.Touch(ref Shape) ^ MemoryLines.Touch(ref longest) ^ MemoryLines.Touch(lags, body.Legs.Length);
+    public int Fetch() => MemoryLines.Touch(ref paceFroude) ^ MemoryLines.Touch(ref Shape.Lift) ^ MemoryLines.Touch(ref Shape.Arch) ^ MemoryLines.Touch(ref longest) ^ MemoryLines.Touch(lags, body.Legs.Length);
 
     /// <summary>Takes over the place and the numbers of another.</summary>
     public void CopyFrom(GaitClock other)
