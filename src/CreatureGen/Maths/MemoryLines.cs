@@ -27,22 +27,11 @@ internal static class MemoryLines
     public static int Touch<T>(T[] list, int count)
         where T : struct
     {
-        int read = 0;
 #if NET
-        ref int numbers = ref Unsafe.As<T, int>(ref MemoryMarshal.GetArrayDataReference(list));
-        nint end = (nint)count * Unsafe.SizeOf<T>() / sizeof(int);
-        for (nint i = 0; i < end; i += Numbers)
-        {
-            read ^= Unsafe.Add(ref numbers, i);
-        }
+        return Read(ref Unsafe.As<T, int>(ref MemoryMarshal.GetArrayDataReference(list)), (nint)count * Unsafe.SizeOf<T>() / sizeof(int));
 #else
-        ReadOnlySpan<int> numbers = MemoryMarshal.Cast<T, int>(list.AsSpan(0, count));
-        for (int i = 0; i < numbers.Length; i += Numbers)
-        {
-            read ^= numbers[i];
-        }
+        return Read(MemoryMarshal.Cast<T, int>(list.AsSpan(0, count)));
 #endif
-        return read;
     }
 
     /// <summary>Reads a number of each line that a part of an object lies in, and so fetches what lies beside it too.</summary>
@@ -51,21 +40,35 @@ internal static class MemoryLines
     public static int Touch<T>(ref T part)
         where T : unmanaged
     {
-        int read = 0;
 #if NET
-        ref int numbers = ref Unsafe.As<T, int>(ref part);
-        nint end = Unsafe.SizeOf<T>() / sizeof(int);
-        for (nint i = 0; i < end; i += Numbers)
+        return Read(ref Unsafe.As<T, int>(ref part), Unsafe.SizeOf<T>() / sizeof(int));
+#else
+        return Read(MemoryMarshal.Cast<T, int>(MemoryMarshal.CreateReadOnlySpan(ref part, 1)));
+#endif
+    }
+
+#if NET
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static int Read(ref int numbers, nint count)
+    {
+        int read = 0;
+        for (nint i = 0; i < count; i += Numbers)
         {
             read ^= Unsafe.Add(ref numbers, i);
         }
+
+        return read;
+    }
 #else
-        ReadOnlySpan<int> numbers = MemoryMarshal.Cast<T, int>(MemoryMarshal.CreateReadOnlySpan(ref part, 1));
+    private static int Read(ReadOnlySpan<int> numbers)
+    {
+        int read = 0;
         for (int i = 0; i < numbers.Length; i += Numbers)
         {
             read ^= numbers[i];
         }
-#endif
+
         return read;
     }
+#endif
 }

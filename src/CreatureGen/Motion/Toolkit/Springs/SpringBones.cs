@@ -195,7 +195,11 @@ public static class SpringBones
                     if (between)
                     {
                         Vector3 goal = Foresee(rig, state, settings, tuning, root.Scale, colliders, i, now[i], moments, stride);
-                        state.Bones[i].Goal = pause ? goal : state.Bones[i].Goal;
+                        if (pause)
+                        {
+                            // No way was gone to it.
+                            state.Bones[i].Goal = goal;
+                        }
                     }
 
                     state.Bones[i].Past = now[i];
