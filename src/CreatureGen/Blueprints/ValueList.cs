@@ -17,7 +17,7 @@ public sealed class ValueList<T> : IReadOnlyList<T>, IEquatable<ValueList<T>>
     /// <exception cref="ArgumentNullException">The sequence or one of its elements is null.</exception>
     public ValueList(IEnumerable<T> items)
     {
-        this.items = new List<T>(items ?? throw new ArgumentNullException(nameof(items))).ToArray();
+        this.items = CopyOf(items ?? throw new ArgumentNullException(nameof(items)));
         foreach (T item in this.items)
         {
             if (item is null)
@@ -26,6 +26,9 @@ public sealed class ValueList<T> : IReadOnlyList<T>, IEquatable<ValueList<T>>
             }
         }
     }
+
+    /// <summary>The elements of a list; where there are none, the list without elements.</summary>
+    internal static ValueList<T> Of(List<T> items) => items.Count == 0 ? Empty : new ValueList<T>(items);
 
     /// <summary>The list without elements.</summary>
     public static ValueList<T> Empty { get; } = new(Array.Empty<T>());
@@ -50,6 +53,11 @@ public sealed class ValueList<T> : IReadOnlyList<T>, IEquatable<ValueList<T>>
     /// <inheritdoc/>
     public bool Equals(ValueList<T>? other)
     {
+        if (ReferenceEquals(this, other))
+        {
+            return true;
+        }
+
         if (other is null || other.items.Length != items.Length)
         {
             return false;
@@ -98,4 +106,17 @@ public sealed class ValueList<T> : IReadOnlyList<T>, IEquatable<ValueList<T>>
     public IEnumerator<T> GetEnumerator() => ((IEnumerable<T>)items).GetEnumerator();
 
     IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
+
+    /// <summary>The elements in memory of their own. A blueprint has two dozen lists, most of them empty: where the length is known they are copied once.</summary>
+    private static T[] CopyOf(IEnumerable<T> items)
+    {
+        if (items is not ICollection<T> known)
+        {
+            return new List<T>(items).ToArray();
+        }
+
+        T[] copy = known.Count == 0 ? Array.Empty<T>() : new T[known.Count];
+        known.CopyTo(copy, 0);
+        return copy;
+    }
 }

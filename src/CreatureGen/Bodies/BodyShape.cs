@@ -20,6 +20,8 @@ internal sealed class BodyShape
         sine = new float[BodyGrid.Rings];
         cosine = new float[BodyGrid.Rings];
         Array.Fill(cosine, 1f);
+        Cosine = new double[BodyGrid.Rings];
+        Array.Fill(Cosine, 1);
         Pitch = new double[BodyGrid.Rings];
         Rise = new double[BodyGrid.Rings];
         Width = new double[BodyGrid.Rings];
@@ -32,10 +34,11 @@ internal sealed class BodyShape
     }
 
     /// <summary>The same sections, which are shared, along another spine.</summary>
-    private BodyShape(BodyShape same, float[] sine, float[] cosine, double[] pitch, double[] rise)
+    private BodyShape(BodyShape same, float[] sine, float[] cosine, double[] exactCosine, double[] pitch, double[] rise)
     {
         this.sine = sine;
         this.cosine = cosine;
+        Cosine = exactCosine;
         Pitch = pitch;
         Rise = rise;
         Width = same.Width;
@@ -58,6 +61,9 @@ internal sealed class BodyShape
 
     /// <summary>Pitch of the spine, radians; its forward direction is (0, sin, cos).</summary>
     public double[] Pitch { get; }
+
+    /// <summary>Cosine of the pitch: the lowest points of a body are asked for again and again while it is settled.</summary>
+    public double[] Cosine { get; }
 
     /// <summary>Half width of the section.</summary>
     public double[] Width { get; }
@@ -83,21 +89,22 @@ internal sealed class BodyShape
     /// <summary>The shape with other heights of its spine, which are still to be set.</summary>
     public BodyShape WithOtherHeights()
     {
-        var other = new BodyShape(this, sine, cosine, Pitch, Rise);
+        var other = new BodyShape(this, sine, cosine, Cosine, Pitch, Rise);
         Z.CopyTo(other.Z, 0);
         return other;
     }
 
     /// <summary>The shape along another spine, which is still to be bent.</summary>
-    public BodyShape WithOtherBends() => new(this, new float[BodyGrid.Rings], new float[BodyGrid.Rings], new double[BodyGrid.Rings], new double[BodyGrid.Rings]);
+    public BodyShape WithOtherBends() => new(this, new float[BodyGrid.Rings], new float[BodyGrid.Rings], new double[BodyGrid.Rings], new double[BodyGrid.Rings], new double[BodyGrid.Rings]);
 
     /// <summary>Turns the sections across the spine, once its <see cref="Pitch"/> is set.</summary>
     public void TurnSections()
     {
         for (int i = 0; i < BodyGrid.Rings; i++)
         {
-            sine[i] = (float)PortableMath.Sin(Pitch[i]);
-            cosine[i] = (float)PortableMath.Cos(Pitch[i]);
+            PortableMath.SinCos(Pitch[i], out double s, out Cosine[i]);
+            sine[i] = (float)s;
+            cosine[i] = (float)Cosine[i];
         }
     }
 

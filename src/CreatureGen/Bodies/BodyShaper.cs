@@ -38,9 +38,6 @@ internal static class BodyShaper
     private const int SwimmerFirst = 24;
     private const int SwimmerRounds = 10;
 
-    private static readonly double[] stationKnots = Array.ConvertAll(BodyGrid.StationRings.ToArray(), r => (double)r);
-    private static readonly int[] stationOfRing = IntervalOfRing();
-
     /// <summary>The sections of the body. The trunk of a legless body lies on the ground ring by ring.</summary>
     public static BodyShape Shape(BodyPlan plan, BodyBlueprint body, HeadBlueprint head, TailBlueprint tail)
     {
@@ -55,10 +52,10 @@ internal static class BodyShaper
 
         Span<double> arc = stackalloc double[BodyGrid.Rings];
         var shape = new BodyShape();
-        Interpolate(cumulative, arc);
-        Interpolate(stations.Width, shape.Width);
-        Interpolate(stations.Top, shape.Top);
-        Interpolate(stations.Bottom, shape.Bottom);
+        RingCurve.Through(cumulative, arc);
+        RingCurve.Through(stations.Width, shape.Width);
+        RingCurve.Through(stations.Top, shape.Top);
+        RingCurve.Through(stations.Bottom, shape.Bottom);
         ApplyLattice(body, arc, shape.Step, shape.Width, shape.Top, shape.Bottom);
         ApplyDepth(body.Proportions, shape.Width, shape.Top, shape.Bottom);
         Fair(plan, body, shape);
@@ -100,7 +97,7 @@ internal static class BodyShaper
         double[] pitch = shape.Pitch;
         Span<double> stations = stackalloc double[BodyGrid.StationCount];
         BodyBlender.Pitch(body, stations);
-        Interpolate(stations, pitch);
+        RingCurve.Through(stations, pitch);
         for (int i = 0; i < BodyGrid.Rings; i++)
         {
             pitch[i] += body.Posture.Trunk * Scalar.Smooth((i - 12) / 8.0);
@@ -116,16 +113,6 @@ internal static class BodyShaper
         shape.TurnSections();
         LaySpine(shape);
         SetHeights(shape, plan, body.Elevation);
-    }
-
-    private static void Interpolate(ReadOnlySpan<double> stations, Span<double> rings)
-    {
-        Span<double> slopes = stackalloc double[BodyGrid.StationCount];
-        MonotoneCubic.Slopes(stationKnots, stations, slopes);
-        for (int i = 0; i < BodyGrid.Rings; i++)
-        {
-            rings[i] = MonotoneCubic.Evaluate(stationKnots, stations, slopes, stationOfRing[i], i);
-        }
     }
 
     private static void ApplyLattice(BodyBlueprint body, Span<double> arc, Span<double> step, double[] width, double[] top, double[] bottom)
@@ -261,14 +248,18 @@ internal static class BodyShaper
             up[i] = BendLimit * step[i] / Math.Max(Math.Max(bottom[i], bottom[i - 1]), reach);
         }
 
+        int first = 1;
         for (int round = 0; round < Rounds; round++)
         {
             double worst = 0;
-            for (int i = 1; i <= last; i++)
+            int sharp = 0;
+            for (int i = first; i <= last; i++)
             {
-                double limit = bend[i] < 0 ? down[i] : up[i];
-                clamped[i] = Scalar.Clamp(bend[i], -limit, limit);
-                worst = Math.Max(worst, Math.Abs(clamped[i] - bend[i]));
+                double held = Held(bend[i], down[i], up[i]);
+                double excess = Math.Abs(held - bend[i]);
+                clamped[i] = held;
+                worst = excess > worst ? excess : worst;
+                sharp = sharp == 0 && excess > 0 ? i : sharp;
             }
 
             if (worst < Settled)
@@ -276,29 +267,27 @@ internal static class BodyShaper
                 break;
             }
 
-            for (int i = 1; i <= last; i++)
+            // Before the first bend that is too sharp nothing is spread: the next round begins where this one changes something.
+            first = Math.Max(1, sharp - 1);
+            double spread = 0;
+            for (int i = sharp; i <= last; i++)
             {
-                double excess = bend[i] - clamped[i];
-                if (i < last)
-                {
-                    clamped[i + 1] += 0.5 * excess;
-                }
-
+                clamped[i] += spread;
+                spread = 0.5 * (bend[i] - clamped[i]);
                 if (i > 1)
                 {
-                    clamped[i - 1] += 0.5 * excess;
+                    clamped[i - 1] += spread;
                 }
             }
 
-            clamped.CopyTo(bend);
+            clamped.Slice(first).CopyTo(bend.Slice(first));
         }
 
         // What could not be spread is cut off: rings never cross, whatever the posture asks for.
         pitch[0] = 0;
         for (int i = 1; i <= last; i++)
         {
-            double limit = bend[i] < 0 ? down[i] : up[i];
-            pitch[i] = pitch[i - 1] + Scalar.Clamp(bend[i], -limit, limit);
+            pitch[i] = pitch[i - 1] + Held(bend[i], down[i], up[i]);
         }
 
         double shift = anchor - pitch[BodyGrid.AnchorRing];
@@ -308,13 +297,17 @@ internal static class BodyShaper
         }
     }
 
+    /// <summary>A bend within what a ring may bend down and up.</summary>
+    private static double Held(double bend, double down, double up) => bend < 0 ? (bend < -down ? -down : bend) : bend > up ? up : bend;
+
     private static void LaySpine(BodyShape shape)
     {
         for (int i = 1; i < BodyGrid.Rings; i++)
         {
             double p = (shape.Pitch[i] + shape.Pitch[i - 1]) / 2;
-            shape.Rise[i] = shape.Rise[i - 1] - (shape.Step[i] * PortableMath.Sin(p));
-            shape.Z[i] = shape.Z[i - 1] - (shape.Step[i] * PortableMath.Cos(p));
+            PortableMath.SinCos(p, out double sine, out double cosine);
+            shape.Rise[i] = shape.Rise[i - 1] - (shape.Step[i] * sine);
+            shape.Z[i] = shape.Z[i - 1] - (shape.Step[i] * cosine);
         }
 
         double z = shape.Z[BodyGrid.AnchorRing];
@@ -366,21 +359,4 @@ internal static class BodyShaper
 
     /// <summary>Whether a tail ends in a fin.</summary>
     private static bool IsFinned(TailStyle style) => style is TailStyle.Fork or TailStyle.Fan or TailStyle.Lance or TailStyle.Fluke || TailFin.Of(style) != null;
-
-    private static int[] IntervalOfRing()
-    {
-        int[] intervals = new int[BodyGrid.Rings];
-        int interval = 0;
-        for (int i = 0; i < BodyGrid.Rings; i++)
-        {
-            while (interval < BodyGrid.StationCount - 2 && i >= BodyGrid.StationRings[interval + 1])
-            {
-                interval++;
-            }
-
-            intervals[i] = interval;
-        }
-
-        return intervals;
-    }
 }

@@ -46,16 +46,26 @@ internal static class RingLattice
                 nameof(t));
         }
 
-        Span<double> positions = stackalloc double[slices];
-        Span<double> weights = stackalloc double[slices];
-        SliceScaling.Positions(sliceLengths, positions);
         for (int ring = 0; ring < t.Length; ring++)
         {
             if (!(t[ring] >= 0 && t[ring] <= 1))
             {
                 throw new ArgumentException(string.Format(CultureInfo.InvariantCulture, "t[{0}] = {1:R}; expected 0..1", ring, t[ring]), nameof(t));
             }
+        }
 
+        Span<double> positions = stackalloc double[slices];
+        Span<double> weights = stackalloc double[slices];
+        SliceScaling.Positions(sliceLengths, positions);
+        int first = 0;
+#if NET
+        if (FourVectors.Pay)
+        {
+            first = FourRings.Evaluate(sliceWidths, sliceHeights, positions, t, widthFactor, heightFactor, position);
+        }
+#endif
+        for (int ring = first; ring < t.Length; ring++)
+        {
             Bernstein.Evaluate(t[ring], weights);
             double width = 0;
             double height = 0;

@@ -143,14 +143,14 @@ public static class BlueprintSampler
             builder.Body,
             head,
             builder.Tail,
-            new ValueList<LegBlueprint>(builder.Legs),
-            new ValueList<WingBlueprint>(builder.Wings),
-            new ValueList<InsectWingBlueprint>(builder.InsectWings),
-            new ValueList<FinBlueprint>(builder.Fins),
-            new ValueList<EarBlueprint>(builder.Ears),
-            new ValueList<FeatureBlueprint>(builder.Features),
-            new ValueList<ManeBlueprint>(builder.Manes),
-            new ValueList<FrillBlueprint>(builder.Frills),
+            ValueList<LegBlueprint>.Of(builder.Legs),
+            ValueList<WingBlueprint>.Of(builder.Wings),
+            ValueList<InsectWingBlueprint>.Of(builder.InsectWings),
+            ValueList<FinBlueprint>.Of(builder.Fins),
+            ValueList<EarBlueprint>.Of(builder.Ears),
+            ValueList<FeatureBlueprint>.Of(builder.Features),
+            ValueList<ManeBlueprint>.Of(builder.Manes),
+            ValueList<FrillBlueprint>.Of(builder.Frills),
             coat));
     }
 }

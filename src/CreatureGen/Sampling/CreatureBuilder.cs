@@ -75,13 +75,16 @@ internal sealed class CreatureBuilder
     public ShellBlueprint Shell { get; set; }
 
     /// <summary>The trunk as drawn so far.</summary>
-    public BodyBlueprint Body => new(Blend, Proportions, Posture, Slices, Elevation, Shell, Species.Annuli, Disc);
+    public BodyBlueprint Body => BodyAt(Elevation);
 
     /// <summary>The body as it stands, its head still without a face.</summary>
     public BodyShape Shape { get; set; } = new();
 
     /// <summary>The body that was shaped last, at elevation 0, and its shape: what is asked for again is not shaped again.</summary>
     public (BodyPlan Plan, BodyBlueprint Body, TailBlueprint Tail, BodyShape Shape)? Shaped { get; set; }
+
+    /// <summary>The shape whose torso was measured last, with the weight of an open mouth.</summary>
+    public (BodyShape Shape, SpineMeasure Measure)? Measured { get; set; }
 
     /// <summary>Length of the torso that heights are measured against, metres.</summary>
     public double TorsoLength { get; set; }
@@ -122,6 +125,9 @@ internal sealed class CreatureBuilder
 
     /// <summary>Cells of the body that are taken.</summary>
     public SocketGrid Sockets { get; } = new();
+
+    /// <summary>The trunk as drawn so far, at an elevation.</summary>
+    public BodyBlueprint BodyAt(double elevation) => new(Blend, Proportions, Posture, Slices, elevation, Shell, Species.Annuli, Disc);
 
     /// <summary>The random numbers of one named decision.</summary>
     public RandomStream Stream(string name) => Seed.Child(name).Stream();

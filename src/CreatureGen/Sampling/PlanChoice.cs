@@ -29,6 +29,9 @@ internal sealed class PlanChoice
     /// <summary>The weight of each species, by kind: asked for with every draw, and the same each time.</summary>
     private readonly double[]?[] speciesWeights;
 
+    /// <summary>How often a kind is asked for, over all species, by kind: asked for three times by every blueprint.</summary>
+    private readonly double[] kindsAsked = new double[kindWeights.Length];
+
     private PlanChoice(CreatureOptions options, double[]?[] speciesWeights)
     {
         this.options = options;
@@ -45,7 +48,8 @@ internal sealed class PlanChoice
         double total = 0;
         for (int kind = 0; kind < kindWeights.Length; kind++)
         {
-            total += WeightOf((LocomotionKind)kind);
+            kindsAsked[kind] = WeightOf((LocomotionKind)kind);
+            total += kindsAsked[kind];
         }
 
         if (!(total > 0))
@@ -92,7 +96,7 @@ internal sealed class PlanChoice
         double[] weights = new double[kindWeights.Length];
         for (int kind = 0; kind < weights.Length; kind++)
         {
-            weights[kind] = WeightOf((LocomotionKind)kind) > 0 ? kindWeights[kind] * Asked((LocomotionKind)kind) : 0;
+            weights[kind] = kindsAsked[kind] > 0 ? kindWeights[kind] * Asked((LocomotionKind)kind) : 0;
         }
 
         return (LocomotionKind)random.Weighted(weights);

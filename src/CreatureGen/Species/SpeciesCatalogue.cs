@@ -69,6 +69,14 @@ internal static class SpeciesCatalogue
         Rooster.Profile,
     };
 
+    /// <summary>Every profile by the name of its body: a blueprint asks for two dozen.</summary>
+    private static readonly Dictionary<string, SpeciesProfile> byBody = all.ToDictionary(species => species.Body, StringComparer.Ordinal);
+
+    private static readonly Dictionary<string, string[]> siblings = all.ToDictionary(
+        species => species.Body,
+        species => all.Where(other => other.IsSpecies && other.Family == species.Family && other.Body != species.Body && other.Dominance.Min < 0.93).Select(other => other.Body).ToArray(),
+        StringComparer.Ordinal);
+
     /// <summary>Every profile, in a fixed order.</summary>
     public static IReadOnlyList<SpeciesProfile> All => all;
 
@@ -76,30 +84,15 @@ internal static class SpeciesCatalogue
     public static IReadOnlyList<SpeciesProfile> Families { get; } = all.Where(profile => !profile.IsSpecies).ToArray();
 
     /// <summary>Names of the other species of the same family that mix well with it.</summary>
-    public static string[] SiblingsOf(SpeciesProfile species)
-    {
-        var siblings = new List<string>();
-        foreach (SpeciesProfile other in all)
-        {
-            if (other.IsSpecies && other.Family == species.Family && other.Body != species.Body && other.Dominance.Min < 0.93)
-            {
-                siblings.Add(other.Body);
-            }
-        }
-
-        return siblings.ToArray();
-    }
+    public static IReadOnlyList<string> SiblingsOf(SpeciesProfile species) => siblings[species.Body];
 
     /// <summary>The profile of a base body.</summary>
     /// <exception cref="ArgumentException">There is none.</exception>
     public static SpeciesProfile Find(string body)
     {
-        foreach (SpeciesProfile species in all)
+        if (byBody.TryGetValue(body, out SpeciesProfile? found))
         {
-            if (string.Equals(species.Body, body, StringComparison.Ordinal))
-            {
-                return species;
-            }
+            return found;
         }
 
         throw new ArgumentException($"base body \"{body}\"; expected one of " + string.Join(", ", all.Select(species => species.Body)), nameof(body));

@@ -130,11 +130,13 @@ internal static class FlierLegs
         (BodyPosture posture, double elevation, double raised, BodyShape shape) = (builder.Posture, builder.Elevation, builder.Raised, builder.Shape);
         StanceSampler.Lower(builder, Math.Min(MeanTip(flying.Legs), StanceSampler.Lowest(builder.Shape, 20, 44) - (MinClearance * builder.TorsoLength)));
         SocketSet set = SetOf(builder, flying, anatomy);
-        if (IsCarried(LegSampler.Settle(builder, _ => set, anatomy.Size)))
+        WalkingPlacement placement = LegSampler.Settle(builder, _ => set, anatomy.Size);
+        if (IsCarried(placement))
         {
             // A raised head or tail moves the centre of mass: the feet are placed under the body as it is.
+            BodyShape settled = builder.Shape;
             StanceSampler.Clear(builder);
-            WalkingPlacement placement = LegSampler.Settle(builder, _ => set, anatomy.Size);
+            placement = builder.Shape == settled && placement.RaiseBody == 0 ? placement : LegSampler.Settle(builder, _ => set, anatomy.Size);
             if (IsCarried(placement) && StanceSampler.Lowest(builder.Shape, 0, BodyGrid.Rings) > 0)
             {
                 LegSampler.AddStanding(builder, style, placement, set, anatomy.Size);

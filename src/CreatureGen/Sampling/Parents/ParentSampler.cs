@@ -43,9 +43,9 @@ internal static class ParentSampler
         RandomStream random = root.Child("blend").Stream();
         string partner = first.Partners[random.Weighted(partnerWeights)];
         double kin = random.Uniform();
-        string[] siblings = SpeciesCatalogue.SiblingsOf(first);
-        int sibling = random.Integer(0, Math.Max(1, siblings.Length));
-        if (kin < first.Kinship && siblings.Length > 0)
+        IReadOnlyList<string> siblings = SpeciesCatalogue.SiblingsOf(first);
+        int sibling = random.Integer(0, Math.Max(1, siblings.Count));
+        if (kin < first.Kinship && siblings.Count > 0)
         {
             partner = siblings[sibling];
         }

@@ -8,40 +8,31 @@ namespace CreatureGen.Sampling.Placement;
 internal sealed class SocketGrid
 {
     private const int CellRows = BodyGrid.Rings - 1;
-    private readonly bool[] taken;
+
+    /// <summary>The taken cells of each row, a bit for each of its 32 columns: a grid is made, copied and counted for every blueprint.</summary>
+    private readonly uint[] taken;
 
     /// <summary>A body without sockets.</summary>
-    public SocketGrid() => taken = new bool[CellRows * BodyGrid.Segments];
+    public SocketGrid() => taken = new uint[CellRows];
 
     private SocketGrid(SocketGrid other)
     {
-        taken = (bool[])other.taken.Clone();
+        taken = (uint[])other.taken.Clone();
         Refusals = other.Refusals;
+        TakenCells = other.TakenCells;
     }
 
     /// <summary>How many reservations were refused.</summary>
     public int Refusals { get; private set; }
 
     /// <summary>How many cells are taken, on both sides.</summary>
-    public int TakenCells
-    {
-        get
-        {
-            int count = 0;
-            foreach (bool cell in taken)
-            {
-                count += cell ? 1 : 0;
-            }
-
-            return count;
-        }
-    }
+    public int TakenCells { get; private set; }
 
     /// <summary>Another grid with the same cells taken.</summary>
     public SocketGrid Copy() => new(this);
 
     /// <summary>Whether a cell is taken.</summary>
-    public bool IsTaken(int ring, int column) => taken[(ring * BodyGrid.Segments) + column];
+    public bool IsTaken(int ring, int column) => (taken[ring] & (1U << column)) != 0;
 
     /// <summary>
     /// Whether a socket fits: it and its mirror image lie on the body without touching its end rings, they do not run into one another (a socket on the midline is its own
@@ -61,15 +52,12 @@ internal sealed class SocketGrid
 
         int first = Math.Max(0, socket.Ring - pad);
         int end = Math.Min(CellRows, socket.Ring + socket.Rows + pad);
+        uint cells = CellsOf(socket);
         for (int i = first; i < end; i++)
         {
-            for (int j = 0; j < socket.Columns; j++)
+            if ((taken[i] & cells) != 0)
             {
-                int column = (socket.Segment + j) % BodyGrid.Segments;
-                if (IsTaken(i, column) || IsTaken(i, BodyGrid.MirrorCell(column)))
-                {
-                    return false;
-                }
+                return false;
             }
         }
 
@@ -87,17 +75,31 @@ internal sealed class SocketGrid
             return false;
         }
 
+        uint cells = CellsOf(socket);
         for (int i = socket.Ring; i < socket.Ring + socket.Rows; i++)
         {
-            for (int j = 0; j < socket.Columns; j++)
-            {
-                int column = (socket.Segment + j) % BodyGrid.Segments;
-                taken[(i * BodyGrid.Segments) + column] = true;
-                taken[(i * BodyGrid.Segments) + BodyGrid.MirrorCell(column)] = true;
-            }
+            taken[i] |= cells;
+        }
+
+        for (uint left = cells; left != 0; left &= left - 1)
+        {
+            TakenCells += socket.Rows;
         }
 
         return true;
+    }
+
+    /// <summary>The cells of a socket and of its mirror image in each of its rows.</summary>
+    private static uint CellsOf(SocketBlueprint socket)
+    {
+        uint cells = 0;
+        for (int j = 0; j < socket.Columns; j++)
+        {
+            int column = (socket.Segment + j) % BodyGrid.Segments;
+            cells |= (1U << column) | (1U << BodyGrid.MirrorCell(column));
+        }
+
+        return cells;
     }
 
     private static bool IsOwnMirror(SocketBlueprint socket) =>

@@ -49,14 +49,19 @@ internal sealed class SpineMeasure
             throw new ArgumentException("the centre of mass is not finite", nameof(centreOfMass));
         }
 
+        // Copied first: elements of an interface are handed over one by one.
         this.bones = new SpineBone[bones.Count];
-        along = new double[bones.Count];
+        for (int i = 0; i < this.bones.Length; i++)
+        {
+            this.bones[i] = bones[i];
+        }
+
+        along = new double[this.bones.Length];
         double reached = 0;
         for (int i = 0; i < this.bones.Length; i++)
         {
-            SpineBone bone = bones[i];
-            Check(bone, i, i == 0 ? -1 : bones[i - 1].Ring);
-            this.bones[i] = bone;
+            ref readonly SpineBone bone = ref this.bones[i];
+            Check(bone, i, i == 0 ? -1 : this.bones[i - 1].Ring);
             along[i] = reached + (0.5 * bone.Length);
             reached += bone.Length;
         }
@@ -65,6 +70,18 @@ internal sealed class SpineMeasure
         BodyLength = bodyLength;
         BodyHeight = bodyHeight;
         CentreBone = centreBone;
+        CentreOfMass = centreOfMass;
+    }
+
+    /// <summary>The same bones, which are shared and have been checked, with another centre of mass.</summary>
+    private SpineMeasure(SpineMeasure same, SagittalPoint centreOfMass)
+    {
+        bones = same.bones;
+        along = same.along;
+        SpineLength = same.SpineLength;
+        BodyLength = same.BodyLength;
+        BodyHeight = same.BodyHeight;
+        CentreBone = same.CentreBone;
         CentreOfMass = centreOfMass;
     }
 
@@ -135,7 +152,7 @@ internal sealed class SpineMeasure
     /// <param name="z">Where along the ground.</param>
     /// <param name="fraction">Its part of the whole mass, 0..1.</param>
     public SpineMeasure Laden(double z, double fraction) =>
-        new(bones, BodyLength, BodyHeight, CentreBone, new SagittalPoint(CentreOfMass.Y, CentreOfMass.Z + (fraction * (z - CentreOfMass.Z))));
+        new(this, new SagittalPoint(CentreOfMass.Y, CentreOfMass.Z + (fraction * (z - CentreOfMass.Z))));
 
     /// <summary>The same body lifted by <paramref name="metres"/>; negative lowers it.</summary>
     public SpineMeasure Raised(double metres)
@@ -154,7 +171,7 @@ internal sealed class SpineMeasure
         return new SpineMeasure(lifted, BodyLength, BodyHeight + metres, CentreBone, CentreOfMass with { Y = CentreOfMass.Y + metres });
     }
 
-    private static void Check(SpineBone bone, int index, double previousRing)
+    private static void Check(in SpineBone bone, int index, double previousRing)
     {
         if (bone.Index != index)
         {

@@ -46,8 +46,25 @@ internal static class BodySampler
         builder.Proportions = Proportions(builder);
         builder.Drawn = Posture(builder);
         builder.Posture = builder.Drawn;
-        builder.Slices = TailFit.Point(builder, Slices(builder));
+        builder.Slices = Slices(builder);
         builder.Disc = Disc(builder);
+        if (builder.Fitting > 0)
+        {
+            Fit(builder);
+        }
+        else
+        {
+            // Animals are of one piece: no fit changes them but that of a fan of feathers, and not to ask them saves a blueprint a twentieth of its time.
+            builder.Posture = TailFit.Lower(builder);
+        }
+
+        builder.Drawn = builder.Posture;
+    }
+
+    /// <summary>Fits the parts of different bodies to one another.</summary>
+    private static void Fit(CreatureBuilder builder)
+    {
+        builder.Slices = TailFit.Point(builder, builder.Slices);
         builder.Slices = TailFit.RunOut(builder);
         builder.Slices = TrunkFit.Gather(builder);
         builder.Slices = FaceFit.Round(builder);
@@ -59,7 +76,6 @@ internal static class BodySampler
         builder.Posture = TailFit.Lower(builder);
         builder.Posture = NeckFit.Carry(builder);
         builder.Posture = FaceFit.Level(builder);
-        builder.Drawn = builder.Posture;
     }
 
     private static DiscBlueprint Disc(CreatureBuilder builder)

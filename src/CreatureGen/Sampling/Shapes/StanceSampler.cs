@@ -198,7 +198,7 @@ internal static class StanceSampler
     /// <summary>The body's shape with the current posture and elevation. Most of what is asked for is the body that was shaped last, in many cases at another elevation: it is raised for a fortieth of the cost, which spares a blueprint a third of its time. A third of the rest differs in posture alone.</summary>
     public static BodyShape ShapeOf(CreatureBuilder builder)
     {
-        BodyBlueprint body = builder.Body with { Elevation = 0 };
+        BodyBlueprint body = builder.BodyAt(0);
         if (!(builder.Shaped is var (plan, shaped, tail, shape) && plan == builder.Plan && tail == builder.Tail && shaped == body))
         {
             shape = builder.Shaped is var (_, other, same, sections) && same == builder.Tail && other with { Posture = body.Posture } == body
@@ -382,7 +382,7 @@ internal static class StanceSampler
         double lowest = double.MaxValue;
         for (int i = first; i < end; i++)
         {
-            lowest = Math.Min(lowest, s.Y[i] - (s.Bottom[i] * Math.Abs(PortableMath.Cos(s.Pitch[i]))));
+            lowest = Math.Min(lowest, s.Y[i] - (s.Bottom[i] * Math.Abs(s.Cosine[i])));
         }
 
         return lowest;

@@ -194,7 +194,7 @@ internal static class TailFit
     {
         builder.Posture = Fallen(builder);
         bool behind = builder.Kind != LocomotionKind.Swimming && builder.Plan is not (BodyPlan.Legless or BodyPlan.ManyLegged) && builder.Species.Class != AnimalClass.Arthropod && builder.Species.Disc.Sweep == 0;
-        if (!behind || !IsBareEnd(builder))
+        if (!behind || builder.Fitting == 0 || !IsBareEnd(builder))
         {
             return builder.Posture;
         }
@@ -207,6 +207,11 @@ internal static class TailFit
     private static BodyPosture Fallen(CreatureBuilder builder)
     {
         BodyPosture drawn = builder.Posture;
+        if (builder.Fitting == 0 && !(builder.Kind == LocomotionKind.Walking && builder.Tail.Style == TailStyle.Feathers))
+        {
+            return drawn;
+        }
+
         if (HasAbdomen(builder))
         {
             double down = Fall(builder);
@@ -356,12 +361,12 @@ internal static class TailFit
     /// <summary>The slices with a tail as the tables give it that runs out: what is left of its thickness at its end is a finger, a peg or a ball for who is behind it.</summary>
     public static ValueList<LatticeSlice> RunOut(CreatureBuilder builder)
     {
-        LatticeSlice[] slices = builder.Slices.ToArray();
         if (builder.Tail.Style != TailStyle.Plain)
         {
             return builder.Slices;
         }
 
+        LatticeSlice[] slices = builder.Slices.ToArray();
         BodyShape shape = StanceSampler.ShapeOf(builder);
         double largest = Largest(shape, FirstOfTail, LastOfTail);
         RandomStream random = builder.Stream("tail end");
