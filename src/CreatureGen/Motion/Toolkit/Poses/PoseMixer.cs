@@ -25,6 +25,9 @@ public readonly ref struct PoseMixer
     /// <summary>What the first joint's weight is before anything is added; no sum of weights is negative.</summary>
     private const float Untouched = -1f;
 
+    /// <summary>What the second joint's weight is as long as all have the first joint's: poses without masks need not add to each joint's, nor divide by each.</summary>
+    private const float Even = -2f;
+
     private readonly Pose result;
     private readonly Span<float> totals;
 
@@ -49,6 +52,8 @@ public readonly ref struct PoseMixer
 
     /// <summary>Whether nothing has been added: the first pose is then written and not added to noughts, which saves a walk over the result.</summary>
     private bool IsUntouched => totals.Length > 0 && totals[0] == Untouched;
+
+    private bool IsEven => totals.Length > 1 && totals[1] == Even;
 
     /// <summary>Adds a pose with one weight for all joints.</summary>
     /// <param name="pose">As long as the result.</param>
@@ -79,6 +84,7 @@ public readonly ref struct PoseMixer
         }
 
         ClearIfUntouched();
+        SpreadIfEven();
         for (int i = 0; i < count; i++)
         {
             Finite.RequireWithin(mask[i], 0f, 1f, nameof(mask));
@@ -99,18 +105,32 @@ public readonly ref struct PoseMixer
         }
     }
 
+    /// <summary>Gives each joint the weight that all have.</summary>
+    private void SpreadIfEven()
+    {
+        if (IsEven)
+        {
+            totals.Fill(totals[0]);
+        }
+    }
+
     private void AddEvenly(in Pose pose, float weight)
     {
         if (IsUntouched)
         {
             WeightedSums.Begin(MemoryMarshal.Cast<Quaternion, float>(result.Rotations), MemoryMarshal.Cast<Quaternion, float>(pose.Rotations), weight);
             WeightedSums.Begin(MemoryMarshal.Cast<Vector3, float>(result.Positions), MemoryMarshal.Cast<Vector3, float>(pose.Positions), weight);
-            totals.Fill(weight);
+            totals[0] = weight;
+            if (totals.Length > 1)
+            {
+                totals[1] = Even;
+            }
+
             return;
         }
 
         WeightedSums.Add(MemoryMarshal.Cast<Vector3, float>(result.Positions), MemoryMarshal.Cast<Vector3, float>(pose.Positions), weight);
-        WeightedSums.Add(totals, weight);
+        WeightedSums.Add(IsEven ? totals.Slice(0, 1) : totals, weight);
         int first = 0;
 #if NET
         if (EightVectors.Pay)
@@ -145,6 +165,13 @@ public readonly ref struct PoseMixer
         ClearIfUntouched();
         float nought = 0f;
         int i = 0;
+#if NET
+        if (EightVectors.Pay && IsEven && totals[0] >= MinTotal)
+        {
+            i = RotationSums.FinishEvenly(totals[0], result, ref nought);
+        }
+#endif
+        SpreadIfEven();
         while (i < totals.Length)
         {
 #if NET

@@ -33,6 +33,43 @@ internal static class RotationSums
         return i;
     }
 
+    /// <summary>Divides sums of joints by the weight that all have, and gives how many it did; what is left makes no eight.</summary>
+    /// <param name="total">The sum of weights, not less than <see cref="PoseMixer.MinTotal"/>.</param>
+    /// <param name="result">The sums; changed to rotations and positions.</param>
+    /// <param name="nought">Becomes NaN if one is not finite.</param>
+    public static int FinishEvenly(float total, in Pose result, ref float nought)
+    {
+        ref Vector4 q = ref Unsafe.As<Quaternion, Vector4>(ref MemoryMarshal.GetReference(result.Rotations));
+        ref float p = ref Unsafe.As<Vector3, float>(ref MemoryMarshal.GetReference(result.Positions));
+        int count = result.Rotations.Length;
+        int i = 0;
+        Vector256<float> noughts = Vector256.Create(0f);
+        Vector256<float> fraction = Vector256.Create(1f / total);
+        for (; i <= count - EightVectors.Count; i += EightVectors.Count)
+        {
+            Vector256<float> q0 = EightVectors.Load(ref q, i), q1 = EightVectors.Load(ref q, i + 2), q2 = EightVectors.Load(ref q, i + 4), q3 = EightVectors.Load(ref q, i + 6);
+            Vector256<float> squares = EightVectors.Sums(q0 * q0, q1 * q1, q2 * q2, q3 * q3);
+            Vector256<float> scales = EightVectors.Scales(squares);
+            EightVectors.Store(q0 * EightVectors.First(scales), ref q, i);
+            EightVectors.Store(q1 * EightVectors.Second(scales), ref q, i + 2);
+            EightVectors.Store(q2 * EightVectors.Third(scales), ref q, i + 4);
+            EightVectors.Store(q3 * EightVectors.Fourth(scales), ref q, i + 6);
+            nuint place = (nuint)i * 3;
+            Vector256<float> p0 = Vector256.LoadUnsafe(ref p, place) * fraction;
+            Vector256<float> p1 = Vector256.LoadUnsafe(ref p, place + 8) * fraction;
+            Vector256<float> p2 = Vector256.LoadUnsafe(ref p, place + 16) * fraction;
+            p0.StoreUnsafe(ref p, place);
+            p1.StoreUnsafe(ref p, place + 8);
+            p2.StoreUnsafe(ref p, place + 16);
+
+            // A length that is nought or infinite leaves no rotation.
+            noughts += (squares + scales + p0 + p1 + p2) * 0f;
+        }
+
+        nought += EightVectors.Nought(noughts);
+        return i;
+    }
+
     /// <summary>Divides sums of joints by their weights, and gives how many it did: it ends at less than eight, or where one of eight needs the fallback.</summary>
     /// <param name="from">The first joint.</param>
     /// <param name="totals">The sums of weights.</param>

@@ -1,10 +1,14 @@
 using System;
 using System.Numerics;
 using System.Runtime.InteropServices;
+#if NET
+using System.Runtime.Intrinsics;
+using CreatureGen.Maths;
+#endif
 
 namespace CreatureGen.Motion.Toolkit.Poses;
 
-/// <summary>Weighted sums of lists of numbers, four at a time.</summary>
+/// <summary>Weighted sums of lists of numbers, eight or four at a time.</summary>
 /// <remarks>Each number is worked out by the same operations in the same order as alone, so the bits are the same. Weights are put into all four places beforehand: an operator that takes a number is a call in browsers.</remarks>
 internal static class WeightedSums
 {
@@ -49,6 +53,21 @@ internal static class WeightedSums
     public static void Begin(Span<float> sums, ReadOnlySpan<float> added, float weight)
     {
         added = added.Slice(0, sums.Length);
+#if NET
+        if (EightVectors.Pay)
+        {
+            Span<Vector256<float>> eights = MemoryMarshal.Cast<float, Vector256<float>>(sums);
+            ReadOnlySpan<Vector256<float>> eightsAdded = MemoryMarshal.Cast<float, Vector256<float>>(added).Slice(0, eights.Length);
+            Vector256<float> eightWeights = Vector256.Create(weight);
+            for (int i = 0; i < eights.Length; i++)
+            {
+                eights[i] = Vector256.Create(0f) + (eightsAdded[i] * eightWeights);
+            }
+
+            sums = sums.Slice(eights.Length * EightVectors.Count);
+            added = added.Slice(eights.Length * EightVectors.Count);
+        }
+#endif
         Span<Vector4> fours = MemoryMarshal.Cast<float, Vector4>(sums);
         ReadOnlySpan<Vector4> foursAdded = MemoryMarshal.Cast<float, Vector4>(added).Slice(0, fours.Length);
         var weights = new Vector4(weight);
@@ -70,6 +89,21 @@ internal static class WeightedSums
     public static void Add(Span<float> sums, ReadOnlySpan<float> added, float weight)
     {
         added = added.Slice(0, sums.Length);
+#if NET
+        if (EightVectors.Pay)
+        {
+            Span<Vector256<float>> eights = MemoryMarshal.Cast<float, Vector256<float>>(sums);
+            ReadOnlySpan<Vector256<float>> eightsAdded = MemoryMarshal.Cast<float, Vector256<float>>(added).Slice(0, eights.Length);
+            Vector256<float> eightWeights = Vector256.Create(weight);
+            for (int i = 0; i < eights.Length; i++)
+            {
+                eights[i] = eights[i] + (eightsAdded[i] * eightWeights);
+            }
+
+            sums = sums.Slice(eights.Length * EightVectors.Count);
+            added = added.Slice(eights.Length * EightVectors.Count);
+        }
+#endif
         Span<Vector4> fours = MemoryMarshal.Cast<float, Vector4>(sums);
         ReadOnlySpan<Vector4> foursAdded = MemoryMarshal.Cast<float, Vector4>(added).Slice(0, fours.Length);
         var weights = new Vector4(weight);
