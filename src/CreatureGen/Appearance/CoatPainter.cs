@@ -80,15 +80,16 @@ internal sealed class CoatPainter
     public Vector3 At(in VertexAddress address, Vector3 position, Vector3 normal)
     {
         var place = new SkinPlace(address, position, normal, subject.Body);
-        return Marked(place, Undercoat(place, pattern.At(PatternAt(place))), Grain(place));
+        return Marked(place, Undercoat(place, TonesAt(place), pattern.At(PatternAt(place))), Grain(place));
     }
 
     /// <summary>The colours of a place between which the pattern goes, linearly: without and with the full pattern. They change slowly over the surface; the pattern and markings do not.</summary>
     public CoatRange RangeAt(in VertexAddress address, Vector3 position, Vector3 normal)
     {
         var place = new SkinPlace(address, position, normal, subject.Body);
-        Vector3 plain = Undercoat(place, 0f);
-        Vector3 patterned = Undercoat(place, 1f);
+        Tones tones = TonesAt(place);
+        Vector3 plain = Undercoat(place, tones, 0f);
+        Vector3 patterned = Undercoat(place, tones, 1f);
         float grain = Grain(place);
         return new CoatRange(plain, patterned, grain, Marked(place, plain, grain), Marked(place, patterned, grain), PatternAt(place));
     }
@@ -133,7 +134,7 @@ internal sealed class CoatPainter
         return place.IsLimb ? Limb(undercoat, place) : blades.Over(undercoat, place);
     }
 
-    private Vector3 Undercoat(in SkinPlace place, float patternFraction)
+    private Tones TonesAt(in SkinPlace place)
     {
         float ventral = Countershade(place) + (0.10f * (tide.At(place.Position * 5f) - 0.5f));
         float belly = Scalar.Smooth((ventral - 0.52f) / 0.30f);
@@ -142,15 +143,19 @@ internal sealed class CoatPainter
         // Broad, faint drifts of tone keep a plain skin alive.
         float drift = tone.At(place.Position * 2.3f) - 0.5f;
         Vector3 colour = Vec.Lerp(palette.Base, drift > 0f ? palette.Back : palette.Belly, 0.34f * Math.Abs(drift));
-        colour = Vec.Lerp(colour, palette.Back, back);
-        float mask = patternFraction * strength * (1f - (0.75f * belly));
+        return new Tones(Vec.Lerp(colour, palette.Back, back), belly);
+    }
+
+    private Vector3 Undercoat(in SkinPlace place, in Tones tones, float patternFraction)
+    {
+        float mask = patternFraction * strength * (1f - (0.75f * tones.Belly));
         if (place.IsLimb)
         {
             mask *= 1f - (0.6f * Scalar.Smooth((place.Along - 0.45f) / 0.4f));
         }
 
-        colour = Vec.Lerp(colour, palette.Pattern, mask);
-        return Vec.Lerp(colour, palette.Belly, 0.9f * belly);
+        Vector3 colour = Vec.Lerp(tones.Back, palette.Pattern, mask);
+        return Vec.Lerp(colour, palette.Belly, 0.9f * tones.Belly);
     }
 
     // 0 where the back is to 1 where the belly is; limbs and blades leave the shade of their root for one of their own.
@@ -199,4 +204,9 @@ internal sealed class CoatPainter
     private static Vector3 Root(Vector3 colour) => new((float)Math.Sqrt(colour.X), (float)Math.Sqrt(colour.Y), (float)Math.Sqrt(colour.Z));
 
     private static float Limit(float channel) => Scalar.Clamp(channel, DarkestChannel, 1f);
+
+    /// <summary>What lies below a pattern: asked for once for the two ends of its range.</summary>
+    /// <param name="Back">Linear RGB with the back's shade.</param>
+    /// <param name="Belly">How far the place is on the belly, 0..1.</param>
+    private readonly record struct Tones(Vector3 Back, float Belly);
 }
