@@ -37,17 +37,31 @@ internal static class WingGrower
     /// <summary>How far the feathers of the tip point outwards, radians.</summary>
     private const double FeatherTurn = 0.35;
 
+    /// <summary>Columns of the cap at the tip, which is thin however high the root is.</summary>
+    private const int TipColumns = 2;
+
     /// <summary>Least depth of a wing, relative to its greatest: a tip of no depth has no area.</summary>
     private const float MinDepth = 0.03f;
 
-    // Radians by which the depth of a wing falls to the rear at its root, and by how much more at its tip; and the share of the span over which it comes to hang as it does at rest, and from which on beyond the elbow.
+    // Radians by which the depth of a wing falls to the rear at its root, and by how much more at its tip.
     private const double RootFall = 0.36;
     private const double TipFall = 0.16;
+
+    // By how much more the root falls than that in flight too, radians, and the share of the span over which that is twisted out: level at its root, a wing is its own edge from ahead there.
+    private const double Washout = 0.2;
+    private const float WashedOut = 0.5f;
+
+    // Share of the span over which it comes to hang as it does at rest, and from which on beyond the elbow.
     private const float Hung = 0.12f;
     private const float OuterHung = 0.2f;
     private const float WhollyOuterHung = 0.7f;
 
     private const int MembraneRows = 28;
+
+    // The muscles of the shoulder: half their height at the socket in its half widths, the share of the span over which they run out, and the share of the depth at which they are thickest. Without them an arm is a rod plugged into the trunk.
+    private const float MuscleHeight = 1.8f;
+    private const float Muscled = 0.36f;
+    private const float FullestMuscle = 0.3f;
 
     // Where across its width a feather is longest, and what of the notch outside of it the one inside of it is: cut off straight on one side feathers are the teeth of a saw.
     private const float FeatherTip = 0.35f;
@@ -84,6 +98,9 @@ internal static class WingGrower
         Func<float, Vector3> edge = LeadingEdge(wing, form, socket);
         Func<float, Vector3> bones = LeadingEdge(wing, arm, socket);
         float root = 2f * socket.HalfLength;
+
+        // An arm on a socket that is only long has no shoulder: it carries nothing.
+        float shoulder = wing.Socket.Columns > TipColumns ? 1f : 0f;
 
         BodyShape shape = body.Skin.Shape;
         double start = wing.Socket.Ring + wing.Socket.Rows;
@@ -129,7 +146,7 @@ internal static class WingGrower
         Vector3 Back(float s)
         {
             double turn = form.Feathers > 0 ? FeatherTurn * s : 0;
-            double incidence = (WingForm.RestIncidence * Scalar.Smooth(s / Hung)) + (WingForm.OuterIncidence * Scalar.Smooth((s - OuterHung) / (WhollyOuterHung - OuterHung)));
+            double incidence = (shoulder * Washout * (1 - Scalar.Smooth(s / WashedOut))) + (WingForm.RestIncidence * Scalar.Smooth(s / Hung)) + (WingForm.OuterIncidence * Scalar.Smooth((s - OuterHung) / (WhollyOuterHung - OuterHung)));
             PortableMath.SinCos(RootFall + (TipFall * s) + incidence, out double down, out double level);
             return (Vec.Lerp(-Vector3.UnitY, off, Scalar.Smooth(s / Hung)) * (float)down) + new Vector3((float)(level * PortableMath.Sin(turn)), 0f, -(float)(level * PortableMath.Cos(turn)));
         }
@@ -149,14 +166,14 @@ internal static class WingGrower
         {
             Normal = Normal,
             Middle = Middle,
-            Thickness = (s, u) => Thickness(thickest, s, u) + FingerRidge(form, thickest, s, u),
+            Thickness = (s, u) => Math.Max(Thickness(thickest, s, u), Muscle(shoulder * socket.HalfWidth, s, u)) + FingerRidge(form, thickest, s, u),
             Sections = form.Feathers > 0 ? FeatherSections(form.Feathers) : MembraneSections(form),
             Blend = 0.14f,
             Crowding = 0.85f,
             Address = new VertexAddress { Region = SurfaceRegion.Wing, Appendage = (short)index, Sign = 1 },
         };
         int[] tip = blade.Grow(surface, socket.Vertices);
-        blade.Close(surface, tip, wing.Socket, Vector3.UnitX);
+        blade.Close(surface, tip, wing.Socket with { Rows = wing.Socket.Rows + wing.Socket.Columns - TipColumns, Columns = TipColumns }, Vector3.UnitX);
         surface.MirrorSince(firstVertex, firstFace);
 
         var joints = Array.ConvertAll(jointFractions, s => Joint(s));
@@ -198,6 +215,15 @@ internal static class WingGrower
         return u < 0.25f
             ? r * (float)Math.Sqrt(Scalar.Clamp(u / 0.12f, 0f, 1f)) * (u < 0.12f ? 1f : 1f - (0.75f * Scalar.Smooth((u - 0.12f) / 0.13f)))
             : r * 0.25f * (1f - (u * 0.75f));
+    }
+
+    /// <summary>Half thickness of the muscles that run from the trunk out over the upper arm, metres.</summary>
+    private static float Muscle(float halfWidth, float s, float u)
+    {
+        float left = Math.Max(1f - (s / Muscled), 0f);
+        float ahead = Math.Max(1f - (u / FullestMuscle), 0f);
+        float across = (float)Math.Sqrt(1f - (ahead * ahead)) * (1f - Scalar.Smooth((u - FullestMuscle) / (1f - FullestMuscle)));
+        return MuscleHeight * halfWidth * left * left * across;
     }
 
     /// <summary>Fingers stand out of the membrane.</summary>

@@ -73,6 +73,37 @@ public sealed class WingGrowerTests
         Assert.True(heights.Average() > RootHeight, FormattableString.Invariant($"{heights.Average()} of the depth, {heights.Min()} at the least"));
     }
 
+    /// <summary>Height of a wing where it leaves the trunk, in heights of the trunk there, in the mean (.34 where it was a rod plugged into the trunk).</summary>
+    private const double Shoulder = 0.4;
+
+    [Fact]
+    public void Wings_leave_the_trunk_with_a_shoulder()
+    {
+        var heights = new List<double>();
+        foreach (int seed in Enumerable.Range(24831000, 30))
+        {
+            CreatureBlueprint blueprint = BlueprintSampler.Sample((ulong)seed, CreatureOptions.Default with { Kind = RequestedKind.Flying });
+            if (blueprint.Wings.Count != 1)
+            {
+                continue;
+            }
+
+            Surface surface = RigSubject.InputOf(blueprint).Surface;
+            int ring = blueprint.Wings[0].Socket.Ring + (blueprint.Wings[0].Socket.Rows / 2);
+            double trunk = Height(surface, at => at.Region == SurfaceRegion.Body && at.Ring == ring);
+            heights.Add(Height(surface, at => at.Region == SurfaceRegion.Wing && at.Along > 0.06f && at.Along < 0.12f) / trunk);
+        }
+
+        Assert.True(heights.Count > 15);
+        Assert.True(heights.Average() > Shoulder, FormattableString.Invariant($"{heights.Average()} of the trunk, {heights.Min()} at the least"));
+    }
+
+    private static double Height(Surface surface, Func<VertexAddress, bool> of)
+    {
+        float[] heights = [.. Enumerable.Range(0, surface.Positions.Length).Where(v => of(surface.Addresses[v])).Select(v => surface.Positions[v].Y)];
+        return heights.Max() - heights.Min();
+    }
+
     /// <summary>Greatest extent of the end of a feathered wing, in its greatest depth (.13 and more of nine of 21 whose outermost feather was cut off).</summary>
     private const double Tip = 0.12;
 

@@ -21,6 +21,9 @@ internal static class ExtraWings
     /// <summary>Rings from the first pair to the second.</summary>
     private const int Behind = 7;
 
+    /// <summary>Segments by which the second pair sits higher on the back: stout thighs begin below it.</summary>
+    private const int AboveThighs = 1;
+
     /// <summary>Segments by which raised wings sit higher on the back of what has arms below them.</summary>
     private const int AboveArms = 2;
 
@@ -39,7 +42,7 @@ internal static class ExtraWings
         if (builder.Stream("second wings").Chance(SecondPairs * builder.Strangeness) && builder.Wings.Count == 1)
         {
             WingBlueprint first = builder.Wings[0];
-            SocketBlueprint socket = first.Socket with { Ring = first.Socket.Ring + Behind };
+            SocketBlueprint socket = first.Socket with { Ring = first.Socket.Ring + Behind, Segment = first.Socket.Segment - AboveThighs };
             Add(builder, first with { Socket = socket, Span = first.Span * SecondSpan, Chord = first.Chord * SecondSpan, Rise = first.Rise * SecondRise, Sweep = first.Sweep + SecondSweep });
         }
     }
@@ -56,7 +59,7 @@ internal static class ExtraWings
         if (winged && builder.Species.Class != AnimalClass.Arthropod && builder.Parents.Legs.Bird is null)
         {
             bool armed = builder.Plan is BodyPlan.Upright or BodyPlan.Centaur;
-            SocketBlueprint socket = armed ? FlyingRules.WingSocket with { Segment = FlyingRules.WingSocket.Segment - AboveArms } : FlyingRules.WingSocket;
+            SocketBlueprint socket = armed ? FlyingRules.RaisedWingSocket with { Segment = FlyingRules.RaisedWingSocket.Segment - AboveArms } : FlyingRules.RaisedWingSocket;
             WingForm form = WingForm.Of(style);
             span = Math.Min(span * form.Span, Math.Max(MinRaised * WingSampler.CarriedTorso(builder), TallestRaised * Back(builder)));
             Add(builder, new WingBlueprint(style, socket, span, WingSampler.DepthOf(builder, form, span), rise, sweep));

@@ -16,15 +16,20 @@ internal static class FlyingRules
     /// <summary>Ring of the anatomical place of flapping wings.</summary>
     public const int WingRing = 27;
 
-    /// <summary>Where flapping wings grow.</summary>
+    /// <summary>Where flapping wings grow: on a shoulder.</summary>
     public static SocketBlueprint WingSocket => SocketSizing.Centre(WingRing, WingSegment, WingRows, WingColumns);
+
+    /// <summary>Where wings grow that only stand over a back: arms that carry nothing have no shoulder.</summary>
+    public static SocketBlueprint RaisedWingSocket => SocketSizing.Centre(WingRing, WingSegment, RaisedRows, RaisedColumns);
 
     /// <summary>Fewest rings between the roots of two pairs of thin wings.</summary>
     public const double WingRingGap = 3;
 
     private const double WingSegment = 6;
-    private const int WingRows = 6;
-    private const int WingColumns = 2;
+    private const int WingRows = 4;
+    private const int WingColumns = 4;
+    private const int RaisedRows = 6;
+    private const int RaisedColumns = 2;
 
     private static readonly ScaleRange uniformWing = new(0.85, 1.2);
     private static readonly ScaleRange thinWing = new(0.75, 1.3);

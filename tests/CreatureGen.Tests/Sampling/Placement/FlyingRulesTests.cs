@@ -48,7 +48,7 @@ public sealed class FlyingRulesTests
         for (ulong seed = 0; seed < 50; seed++)
         {
             WingPlacement wing = Assert.Single(Place(WingMotion.Flapping, 1, new FlyingLegs(0, LegArrangement.Spread), seed).Wings);
-            Assert.Equal(new SocketBlueprint(24, 5, 6, 2), wing.Socket);
+            Assert.Equal(new SocketBlueprint(25, 4, 4, 4), wing.Socket);
             Assert.Equal(Body.BoneAt(27), wing.Bone);
             Assert.True(wing.Scale.X == wing.Scale.Y && wing.Scale.Y == wing.Scale.Z);
             scales.Add(wing.Scale.X);
