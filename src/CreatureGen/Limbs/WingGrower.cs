@@ -47,7 +47,7 @@ internal static class WingGrower
     private const double RootFall = 0.36;
     private const double TipFall = 0.16;
 
-    // By how much more the root falls than that in flight too, radians, and the share of the span over which that is twisted out: level at its root, a wing is its own edge from ahead there.
+    // By how much more the root of feathers falls than that in flight too, radians, and the share of the span over which that is twisted out: level at its root, a wing is its own edge from ahead there. The root of a membrane falls as the flank holds it; twisted against that, it is crowded where it folds.
     private const double Washout = 0.2;
     private const float WashedOut = 0.5f;
 
@@ -101,6 +101,7 @@ internal static class WingGrower
 
         // An arm on a socket that is only long has no shoulder: it carries nothing.
         float shoulder = wing.Socket.Columns > TipColumns ? 1f : 0f;
+        double washout = form.Feathers > 0 ? shoulder * Washout : 0;
 
         BodyShape shape = body.Skin.Shape;
         double start = wing.Socket.Ring + wing.Socket.Rows;
@@ -146,7 +147,7 @@ internal static class WingGrower
         Vector3 Back(float s)
         {
             double turn = form.Feathers > 0 ? FeatherTurn * s : 0;
-            double incidence = (shoulder * Washout * (1 - Scalar.Smooth(s / WashedOut))) + (WingForm.RestIncidence * Scalar.Smooth(s / Hung)) + (WingForm.OuterIncidence * Scalar.Smooth((s - OuterHung) / (WhollyOuterHung - OuterHung)));
+            double incidence = (washout * (1 - Scalar.Smooth(s / WashedOut))) + (WingForm.RestIncidence * Scalar.Smooth(s / Hung)) + (WingForm.OuterIncidence * Scalar.Smooth((s - OuterHung) / (WhollyOuterHung - OuterHung)));
             PortableMath.SinCos(RootFall + (TipFall * s) + incidence, out double down, out double level);
             return (Vec.Lerp(-Vector3.UnitY, off, Scalar.Smooth(s / Hung)) * (float)down) + new Vector3((float)(level * PortableMath.Sin(turn)), 0f, -(float)(level * PortableMath.Cos(turn)));
         }

@@ -43,7 +43,7 @@ internal sealed class FoldRoom
 
     // What it costs to be in a leg, or beyond the tail's root, in relation to being off the body.
     private const double LegCost = 1500;
-    private const double OverhangCost = 5;
+    private const double OverhangCost = 12;
 
     /// <summary>By how much boxes about rods are wider than they have to be, body lengths: more than single precision loses.</summary>
     private const double Slack = 1e-3;

@@ -54,6 +54,11 @@ internal static class WingSampler
     /// <summary>By how much wings of feathers of mixed bodies are shorter than their form has them at most: they are most of an outline, and all alike make doubles. Longer ones, and membranes of other lengths, would not fold onto the body.</summary>
     private const double ShortestOfForm = 0.2;
 
+    // The same of membranes: by how much shallower they are at most, and by how much their rise and their sweep differ to either side. Bats, dragons and flying fish that are held alike have one outline.
+    private const double ShallowestMembrane = 0.22;
+    private const double RiseOfMembranes = 0.15;
+    private const double SweepOfMembranes = 0.12;
+
     /// <summary>The sweep in the middle of all, and how much more than those of membranes the sweeps of feathers differ.</summary>
     private const double MiddleSweep = 0.31;
     private const double SweepOfFeathers = 1.6;
@@ -140,6 +145,11 @@ internal static class WingSampler
         double sweep = random.Uniform(0.22, 0.4);
         sweep = form.Feathers > 0 ? MiddleSweep + (SweepOfFeathers * (sweep - MiddleSweep)) : sweep;
         double shorter = form.Feathers == 0 ? 1 : 1 - (builder.Fitting * builder.Stream("length of wings").Uniform(0, ShortestOfForm));
+        RandomStream membrane = builder.Stream("form of membranes");
+        double free = form.Feathers > 0 ? 0 : builder.Fitting;
+        rise += free * membrane.Uniform(-RiseOfMembranes, RiseOfMembranes);
+        sweep += free * membrane.Uniform(-SweepOfMembranes, SweepOfMembranes);
+        double shallower = 1 - (free * membrane.Uniform(0, ShallowestMembrane));
         ThinWing[] thins = builder.Species.Class == AnimalClass.Arthropod ? insectWings : fairyWings[builder.Stream("thin wing family").Integer(0, fairyWings.Length)];
         foreach (WingPlacement wing in placement.Wings)
         {
@@ -149,7 +159,7 @@ internal static class WingSampler
                 {
                     double torso = CarriedTorso(builder);
                     double span = Math.Min(1.36 * form.Span * shorter * wing.Scale.X, LongestWing) * torso;
-                    double chord = Math.Min(DepthOf(builder, form, span) * random.Uniform(0.9, 1.15), DeepestWing * torso);
+                    double chord = Math.Min(DepthOf(builder, form, span) * shallower * random.Uniform(0.9, 1.15), DeepestWing * torso);
                     builder.Wings.Add(new WingBlueprint(style, socket, span, chord, rise, sweep));
                 }
             }
