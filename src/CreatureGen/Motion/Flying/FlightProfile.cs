@@ -37,9 +37,9 @@ internal sealed class FlightProfile
     /// <summary>Length of the cycle of hovering up and down, and of beating and gliding, in √(span/g).</summary>
     private const double SlowCycle = 5;
 
-    /// <summary>Area of all wings over the square of the span: of dragonflies, and of moths.</summary>
-    private const double NarrowWings = 0.3;
-    private const double BroadWings = 0.6;
+    /// <summary>Area of all wings over the square of the span: of dragonflies at most, and of butterflies and moths at least.</summary>
+    private const double NarrowWings = 0.18;
+    private const double BroadWings = 0.24;
 
     /// <summary>Thrust over weight for each beat in the time √(span/g), and its bounds; that of insects.</summary>
     private const double PowerPerBeat = 0.3;
