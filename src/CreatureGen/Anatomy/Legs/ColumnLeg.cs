@@ -57,5 +57,9 @@ internal static class ColumnLeg
         flight: new LegFlight(
             tucked: new LegPosture(hip: 0.40, knee: 0.60, ankle: 0.50, ball: 0.30),
             hanging: new LegPosture(hip: 0.10, knee: 0.35, ankle: 0.30, ball: 0.20),
-            reaching: new LegPosture(hip: -0.20, knee: 0.10, ankle: 0, ball: 0)));
+            reaching: new LegPosture(hip: -0.20, knee: 0.10, ankle: 0, ball: 0))
+        {
+            Foremost = new LegPosture(hip: -0.20, knee: 0.90, ankle: 0.30, ball: 0.30),
+            Midmost = new LegPosture(hip: 0.10, knee: 0.75, ankle: 0.40, ball: 0.30),
+        });
 }

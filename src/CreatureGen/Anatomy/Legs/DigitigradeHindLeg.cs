@@ -61,5 +61,9 @@ internal static class DigitigradeHindLeg
         flight: new LegFlight(
             tucked: new LegPosture(hip: 0.75, knee: 0.55, ankle: 0.30, ball: 0.85),
             hanging: new LegPosture(hip: 0.10, knee: 0.50, ankle: -0.20, ball: 0.70),
-            reaching: new LegPosture(hip: -0.40, knee: 0.15, ankle: -0.10, ball: -0.10)));
+            reaching: new LegPosture(hip: -0.40, knee: 0.15, ankle: -0.10, ball: -0.10))
+        {
+            Foremost = new LegPosture(hip: -0.40, knee: 1.30, ankle: -0.90, ball: 0.80),
+            Midmost = new LegPosture(hip: 0.25, knee: 1.20, ankle: -0.30, ball: 0.85),
+        });
 }

@@ -56,9 +56,14 @@ internal static class InsectLeg
             Immersion = 0.3f,
         },
         flight: new LegFlight(
-            tucked: new LegPosture(hip: 0.70, knee: -1.10, ankle: 0.60, ball: 0.50),
-            hanging: new LegPosture(hip: 0.60, knee: -0.85, ankle: 0.50, ball: 0.40),
-            reaching: new LegPosture(hip: -0.05, knee: -0.15, ankle: 0, ball: 0)))
+            tucked: new LegPosture(hip: 0.70, knee: -1.10, ankle: 0.60, ball: 0.50) { Twist = 0.56 },
+            hanging: new LegPosture(hip: 0.60, knee: -0.85, ankle: 0.50, ball: 0.40) { Twist = 0.48 },
+            reaching: new LegPosture(hip: -0.05, knee: -0.15, ankle: 0, ball: 0))
+        {
+            Foremost = new LegPosture(hip: -0.45, knee: -0.75, ankle: 0.60, ball: 0.50) { Twist = -0.62 },
+            Midmost = new LegPosture(hip: 0.15, knee: -0.80, ankle: 0.60, ball: 0.50) { Twist = 0.62 },
+            Hindmost = new LegPosture(hip: 0.65, knee: 0.45, ankle: 0.30, ball: 0.30) { Twist = 0.52 },
+        })
     {
         // As it is carried in the air: the knee drawn up beside the body, the shank laid back below it.
         Trailing = new LegOutline(FootEnd.Point)

@@ -19,10 +19,16 @@ internal readonly struct LegPosture
 
     public double Ball { get; }
 
+    /// <summary>Turn of what lies out to the side about its thigh, positive laying the shank back.</summary>
+    public double Twist { get; init; }
+
     /// <summary>So much of one posture and the rest of another.</summary>
     public static LegPosture Between(LegPosture a, LegPosture b, double fraction) => new(
         a.Hip + ((b.Hip - a.Hip) * fraction),
         a.Knee + ((b.Knee - a.Knee) * fraction),
         a.Ankle + ((b.Ankle - a.Ankle) * fraction),
-        a.Ball + ((b.Ball - a.Ball) * fraction));
+        a.Ball + ((b.Ball - a.Ball) * fraction))
+    {
+        Twist = a.Twist + ((b.Twist - a.Twist) * fraction),
+    };
 }

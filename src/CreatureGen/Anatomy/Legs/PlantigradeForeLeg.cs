@@ -60,5 +60,9 @@ internal static class PlantigradeForeLeg
         flight: new LegFlight(
             tucked: new LegPosture(hip: -0.30, knee: -1.25, ankle: 2.00, ball: 0.60),
             hanging: new LegPosture(hip: 0.15, knee: -0.80, ankle: 0.70, ball: 0.50),
-            reaching: new LegPosture(hip: -0.30, knee: -0.20, ankle: 0.15, ball: 0.05)));
+            reaching: new LegPosture(hip: -0.30, knee: -0.20, ankle: 0.15, ball: 0.05))
+        {
+            Midmost = new LegPosture(hip: 0.30, knee: -0.90, ankle: 1.50, ball: 0.75),
+            Hindmost = new LegPosture(hip: 0.95, knee: -0.15, ankle: 0.55, ball: 0.70),
+        });
 }

@@ -59,5 +59,9 @@ internal static class PlantigradeHindLeg
         flight: new LegFlight(
             tucked: new LegPosture(hip: 0.55, knee: 0.90, ankle: 0.70, ball: 0.40),
             hanging: new LegPosture(hip: -0.05, knee: 0.45, ankle: 0.40, ball: 0.30),
-            reaching: new LegPosture(hip: -0.45, knee: 0.20, ankle: -0.05, ball: -0.10)));
+            reaching: new LegPosture(hip: -0.45, knee: 0.20, ankle: -0.05, ball: -0.10))
+        {
+            Foremost = new LegPosture(hip: -0.40, knee: 1.40, ankle: 0.10, ball: 0.40),
+            Midmost = new LegPosture(hip: 0.15, knee: 1.30, ankle: 0.40, ball: 0.40),
+        });
 }

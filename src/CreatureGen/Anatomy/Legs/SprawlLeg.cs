@@ -60,7 +60,12 @@ internal static class SprawlLeg
         flight: new LegFlight(
             tucked: new LegPosture(hip: 0.80, knee: -0.35, ankle: 0.40, ball: 0.40),
             hanging: new LegPosture(hip: 0.35, knee: -0.45, ankle: 0.30, ball: 0.30),
-            reaching: new LegPosture(hip: -0.10, knee: -0.15, ankle: 0.05, ball: 0)))
+            reaching: new LegPosture(hip: -0.10, knee: -0.15, ankle: 0.05, ball: 0))
+        {
+            Foremost = new LegPosture(hip: -0.10, knee: -0.55, ankle: 0.40, ball: 0.40),
+            Midmost = new LegPosture(hip: 0.40, knee: -0.35, ankle: 0.40, ball: 0.40),
+            Hindmost = new LegPosture(hip: 0.80, knee: -0.10, ankle: 0.40, ball: 0.40),
+        })
     {
         // As it is carried in the water: out to the side and down from the elbow, a thin wrist before a foot that is spread and turned down like an oar between two strokes.
         Trailing = new LegOutline(FootEnd.Toes)

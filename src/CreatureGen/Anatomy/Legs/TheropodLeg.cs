@@ -62,5 +62,9 @@ internal static class TheropodLeg
         flight: new LegFlight(
             tucked: new LegPosture(hip: 1.15, knee: 0.10, ankle: 0.55, ball: 0.90),
             hanging: new LegPosture(hip: -0.10, knee: 0.45, ankle: 0.20, ball: 0.70),
-            reaching: new LegPosture(hip: -0.45, knee: 0.10, ankle: -0.05, ball: -0.25)));
+            reaching: new LegPosture(hip: -0.45, knee: 0.10, ankle: -0.05, ball: -0.25))
+        {
+            Foremost = new LegPosture(hip: -0.20, knee: 1.20, ankle: -1.20, ball: 0.60),
+            Midmost = new LegPosture(hip: 0.50, knee: 1.00, ankle: 0.10, ball: 0.90),
+        });
 }

@@ -58,5 +58,9 @@ internal static class UnguligradeForeLeg
         flight: new LegFlight(
             tucked: new LegPosture(hip: -0.30, knee: -1.25, ankle: 2.20, ball: 0.80),
             hanging: new LegPosture(hip: 0.20, knee: -0.90, ankle: 1.20, ball: 0.70),
-            reaching: new LegPosture(hip: -0.30, knee: -0.20, ankle: 0.15, ball: 0.05)));
+            reaching: new LegPosture(hip: -0.30, knee: -0.20, ankle: 0.15, ball: 0.05))
+        {
+            Midmost = new LegPosture(hip: 0.30, knee: -0.90, ankle: 1.50, ball: 0.75),
+            Hindmost = new LegPosture(hip: 0.95, knee: -0.15, ankle: 0.55, ball: 0.70),
+        });
 }

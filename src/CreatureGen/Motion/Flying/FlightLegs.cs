@@ -20,8 +20,8 @@ internal sealed class FlightLegs
     private const double RaisedKnees = 0.25;
     private const double LoweredKnees = -0.5;
 
-    /// <summary>How far insects' legs are turned about their thighs as these are swept back, so that the shanks hang back in the stream of air, parts of that.</summary>
-    private const double TrailingShanks = 0.8;
+    /// <summary>How much of the fan in which several pairs are held at cruise is left where they hang.</summary>
+    private const double FannedHanging = 0.5;
 
     /// <summary>Share below which a leg is in the air alone.</summary>
     private const double MinPlanted = 1e-5;
@@ -32,12 +32,13 @@ internal sealed class FlightLegs
     private readonly LegPosture reaching;
     private readonly bool lateral;
     private readonly double raise;
-    private readonly double trailing;
     private readonly Vector3 femur;
     private readonly Vector3 normal;
     private readonly double side;
 
-    public FlightLegs(PairedChain chain)
+    /// <param name="chain">The pair.</param>
+    /// <param name="place">Its place among several pairs of its kind, from 0 for the first to 1 for the last; null for the only one.</param>
+    public FlightLegs(PairedChain chain, double? place)
     {
         this.chain = chain;
         LimbArchetype archetype = chain.Limb.Archetype ?? LimbArchetype.Arm;
@@ -47,8 +48,14 @@ internal sealed class FlightLegs
         // What is built as it trails is held so already.
         bool trails = kind.Trailing != null && !chain.Limb.Stands;
         (tucked, hanging, reaching) = trails ? default : (flight.Tucked, flight.Hanging, flight.Reaching);
+        if (place != null && !trails)
+        {
+            tucked = flight.InRow(place.Value);
+            hanging = LegPosture.Between(hanging, tucked, FannedHanging);
+        }
+
         lateral = kind.Outline.Lateral;
-        (raise, trailing) = kind.Outline.Arched ? (RaisedKnees, TrailingShanks) : (LoweredKnees, 0);
+        raise = kind.Outline.Arched ? RaisedKnees : LoweredKnees;
         Vector3 thigh = chain.Points[2] - chain.Points[1];
         Vector3 shank = chain.Points[3] - chain.Points[2];
         femur = Vec.Normalize(thigh, Vector3.UnitX);
@@ -78,7 +85,7 @@ internal sealed class FlightLegs
         Span<Quaternion> turns = stackalloc Quaternion[5];
         double dangle = Dangle * stroke.Swing;
         turns[0] = Quaternion.Identity;
-        turns[1] = Bend(posture.Hip + dangle);
+        turns[1] = Bend(posture.Hip + dangle, posture.Twist);
         turns[2] = lateral ? Rotation.FromAxisAngle(normal, -posture.Knee) : AxisRotation.Pitch(posture.Knee);
         turns[3] = lateral ? Rotation.FromAxisAngle(normal, 0.5 * posture.Ankle) : AxisRotation.Pitch(posture.Ankle + dangle);
         turns[4] = lateral ? Rotation.FromAxisAngle(normal, 0.5 * posture.Ball) : AxisRotation.Pitch(posture.Ball);
@@ -103,7 +110,7 @@ internal sealed class FlightLegs
         }
     }
 
-    private Quaternion Bend(double hip) => lateral ? Rotation.Multiply(AxisRotation.Roll(raise * Math.Abs(hip)), Rotation.Multiply(AxisRotation.Yaw(hip), Rotation.FromAxisAngle(femur, trailing * hip))) : AxisRotation.Pitch(hip);
+    private Quaternion Bend(double hip, double twist) => lateral ? Rotation.Multiply(AxisRotation.Roll(raise * Math.Abs(hip)), Rotation.Multiply(AxisRotation.Yaw(hip), Rotation.FromAxisAngle(femur, twist))) : AxisRotation.Pitch(hip);
 
     /// <summary>Two bones reach from the hip, wherever the body has taken it, to the ankle's place over the foothold; the foot stays level.</summary>
     private void Plant(Span<Quaternion> turns, in LegStroke stroke, Quaternion body, Vector3 bodyPivot, Vector3 bodyNow)

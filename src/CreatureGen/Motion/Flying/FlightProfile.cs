@@ -208,7 +208,7 @@ internal sealed class FlightProfile
     {
         var stitched = new List<PairedChain>();
         var thin = new List<PairedChain>();
-        var limbs = new List<FlightLegs>();
+        var limbs = new List<PairedChain>();
         span = 0;
         foreach (LimbChain limb in subject.Limbs)
         {
@@ -230,7 +230,7 @@ internal sealed class FlightProfile
                     break;
                 case LimbKind.Leg:
                 case LimbKind.Arm:
-                    limbs.Add(new FlightLegs(pair));
+                    limbs.Add(pair);
                     break;
             }
         }
@@ -249,7 +249,28 @@ internal sealed class FlightProfile
             buzzers[k] = new BuzzPair(thin[k], FoldedWing.Of(subject, thin[k], ThinWingBlade.RestIncidence(thin[k].Axes[0]), 0, k == 0 ? FoldRange.Thin : FoldRange.ThinHind, room), k, breadth);
         }
 
-        legs = limbs.ToArray();
+        legs = new FlightLegs[limbs.Count];
+        for (int k = 0; k < legs.Length; k++)
+        {
+            legs[k] = new FlightLegs(limbs[k], PlaceOf(limbs[k], limbs));
+        }
+    }
+
+    /// <summary>Where a pair is among those of its kind, from 0 for the first to 1 for the last; null for the only one.</summary>
+    private static double? PlaceOf(PairedChain pair, List<PairedChain> all)
+    {
+        int ahead = 0;
+        int others = 0;
+        foreach (PairedChain other in all)
+        {
+            if (!ReferenceEquals(other, pair) && other.Limb.Archetype == pair.Limb.Archetype)
+            {
+                others++;
+                ahead += other.Points[0].Z > pair.Points[0].Z ? 1 : 0;
+            }
+        }
+
+        return others == 0 ? null : (double)ahead / others;
     }
 
     private static int ShoulderOf(MotionSubject subject)

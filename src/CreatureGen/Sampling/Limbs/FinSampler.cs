@@ -55,6 +55,9 @@ internal static class FinSampler
     private const double LeastSweep = 0.15;
     private const double MostSweep = 1;
 
+    /// <summary>Width of a body, of its greatest, from which on a disc beats there.</summary>
+    private const double DiscWidth = 0.4;
+
     /// <summary>Rings behind a leg's socket over which the leg lies in the water.</summary>
     private const int UnderLegs = 13;
 
@@ -163,6 +166,8 @@ internal static class FinSampler
             pairs += fin.Place == FinPlace.Pectoral ? 1 : 0;
         }
 
+        // The halves of a disc are a pair.
+        pairs += builder.Species.Disc.Sweep != 0 ? 1 : 0;
         int need = builder.Plan switch { BodyPlan.Flipper => 2, BodyPlan.Fish or BodyPlan.Whale => 1, _ => 0 };
         builder.Plan = pairs >= need ? builder.Plan : pairs > 0 ? BodyPlan.Fish : BodyPlan.Eel;
     }
@@ -170,6 +175,18 @@ internal static class FinSampler
     /// <summary>Whether a place for a fin is close behind a leg, which lies back over it in the water, or close before one of what swims by winding, which has the leg in its stead.</summary>
     private static bool IsBesideLeg(CreatureBuilder builder, SocketBlueprint socket) =>
         builder.Legs.Exists(leg => (builder.Plan == BodyPlan.Eel || leg.Socket.Ring < socket.Ring) && Math.Abs(socket.Ring - leg.Socket.Ring) < UnderLegs);
+
+    /// <summary>Whether a place is on the edge of a disc, which is a pair of fins itself: one that held on to the trunk stayed where it was as the disc beat, and drew its edge down to a table's legs.</summary>
+    private static bool IsOnDisc(CreatureBuilder builder, int ring)
+    {
+        double widest = 0;
+        for (int i = 0; i < StationRing.TailFirst; i++)
+        {
+            widest = Math.Max(widest, builder.Shape.Width[i]);
+        }
+
+        return builder.Species.Disc.Sweep != 0 && builder.Shape.Width[ring] > DiscWidth * widest;
+    }
 
     /// <summary>The fins that a species always has.</summary>
     private static void Own(CreatureBuilder builder, RandomStream random, FinPreset preset)
@@ -190,7 +207,7 @@ internal static class FinSampler
 
             // Fins of one species and legs of another may want the same place: the legs were first.
             bool crowded = builder.Legs.Count > 0 && (!builder.Sockets.IsFree(socket, 0) || (fin.Place == FinPlace.Pectoral && IsBesideLeg(builder, socket)));
-            if (!crowded && builder.Sockets.TryReserve(socket, 0))
+            if (!crowded && !(fin.Place == FinPlace.Pectoral && IsOnDisc(builder, fin.Ring)) && builder.Sockets.TryReserve(socket, 0))
             {
                 builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, socket, length, fin.Place == FinPlace.Pectoral ? DepthOf(builder, width, length, fin.Style) : 0, DropOf(builder, fin.Drop), sweep));
             }

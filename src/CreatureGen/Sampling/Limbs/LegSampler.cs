@@ -22,7 +22,10 @@ internal static class LegSampler
     /// <summary>Probability at full strangeness of a second pair of arms, and its thickness and length relative to the first: hands of longer ones hang beside the knees and their arms seem to grow from the hips.</summary>
     private const double SecondArms = 0.4;
     private const double ThinnerArms = 0.8;
-    private const double ShorterArms = 0.62;
+    private const double ShorterArms = 0.58;
+
+    /// <summary>Part of its length by which the hand of a second arm is held before the body: hung down like the first ones, both pairs of hands lie at the thighs and tangle with them.</summary>
+    private const double ArmsAhead = 0.45;
 
     // Breadth of a body against its depth from which its legs grow nearer to the belly, by how many segments for each unit of it, and by how many at most.
     private const double Broad = 1.05;
@@ -163,7 +166,7 @@ internal static class LegSampler
         if (second && builder.Sockets.IsFree(socket, arms.Site.Bounds.Pad))
         {
             double length = ShorterArms * arms.Length;
-            Add(builder, hand, LimbArchetype.Arm, LegStance.Hanging, socket, ThinnerArms * arms.RootRadius, length, 0.9 * length, 0, 0, arms.Site.Bounds.Pad);
+            Add(builder, hand, LimbArchetype.Arm, LegStance.Hanging, socket, ThinnerArms * arms.RootRadius, length, 0.9 * length, 0, ArmsAhead, arms.Site.Bounds.Pad);
         }
     }
 

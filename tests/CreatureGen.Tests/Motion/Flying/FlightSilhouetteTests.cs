@@ -21,8 +21,14 @@ public sealed class FlightSilhouetteTests
     /// <summary>Least elevation of a thin wing at the top of its beat, radians: below it, the near blade lies in the line of sight of who looks from ahead and beside.</summary>
     private const double LeastRaised = 0.9;
 
-    /// <summary>Least that knees of insects fold in flight, radians more than as they stand.</summary>
-    private const double LeastFold = 0.8;
+    /// <summary>Least that the first knees of insects fold in flight, radians more than as they stand.</summary>
+    private const double LeastFold = 0.7;
+
+    /// <summary>Least part of its reach by which the last foot of an insect is behind its hip.</summary>
+    private const float LeastTrailing = 0.7f;
+
+    /// <summary>Least distance of the feet of two pairs along the body relative to that of their hips.</summary>
+    private const float LeastFan = 1.2f;
 
     /// <summary>Least part of a fore leg's forearm by which it goes ahead in flight, and of what comes behind the wrist by which it hangs.</summary>
     private const float LeastAhead = 0.6f;
@@ -61,22 +67,58 @@ public sealed class FlightSilhouetteTests
         Assert.All(highest, wing => Assert.True(wing.Value > LeastRaised, FormattableString.Invariant($"{wing.Key}: {wing.Value} rad")));
     }
 
-    /// <summary>They were bent about the length of the body: knees of legs that do not stand straight out to the side let them do so by .16 radians, and insects stood in the air.</summary>
+    /// <summary>
+    /// They were bent about the length of the body: knees of legs that do not stand straight out to the side let them do so by .16 radians, and insects stood in the air. Folded all alike, they were
+    /// seen as one heap below the belly.
+    /// </summary>
     [Fact]
-    public void Knees_of_insects_fold_in_flight_whichever_way_their_legs_stand()
+    public void Legs_of_insects_are_a_fan_in_flight_of_which_the_first_fold_and_the_last_trail()
     {
-        int knees = 0;
+        int pairs = 0;
         foreach (StrokeSubject body in Cruising(BodyPlan.Buzzing, 8, 1))
         {
-            foreach (LimbChain leg in body.Creature.Limbs.Where(limb => limb.Archetype == LimbArchetype.Insect))
+            ulong seed = body.Creature.Blueprint.Seed;
+            Vector3[] now = body.ModelPositions;
+            LimbChain[] legs = body.Creature.Limbs.Where(limb => limb.Archetype == LimbArchetype.Insect && limb.Side == Side.Left).OrderByDescending(limb => now[limb.Joints[1]].Z).ToArray();
+            double folded = Fold(now, legs[0]) - Fold(body.Creature.Skeleton.ModelPositions, legs[0]);
+            Assert.True(folded > LeastFold, FormattableString.Invariant($"{seed}: the first knee folds by {folded} rad"));
+            Vector3 trailing = now[legs[^1].Joints[^1]] - now[legs[^1].Joints[1]];
+            Assert.True(-trailing.Z > LeastTrailing * trailing.Length(), FormattableString.Invariant($"{seed}: the last leg goes {trailing}"));
+            for (int i = 1; i < legs.Length; i++)
             {
-                double folded = Fold(body.ModelPositions, leg) - Fold(body.Creature.Skeleton.ModelPositions, leg);
-                Assert.True(folded > LeastFold, FormattableString.Invariant($"{body.Creature.Blueprint.Seed}: a knee folds by {folded} rad"));
-                knees++;
+                float roots = now[legs[i - 1].Joints[1]].Z - now[legs[i].Joints[1]].Z;
+                float tips = now[legs[i - 1].Joints[^1]].Z - now[legs[i].Joints[^1]].Z;
+                Assert.True(tips > LeastFan * roots, FormattableString.Invariant($"{seed}: tips of pairs that begin {roots} m apart are {tips} m apart"));
+                pairs++;
             }
         }
 
-        Assert.True(knees > 40);
+        Assert.True(pairs > 12);
+    }
+
+    /// <summary>All swept back alike, four- and six-footed birds had a row of feet below their belly, and the middle legs of six-footed beasts reached ahead like the first.</summary>
+    [Fact]
+    public void Feet_of_one_kind_are_further_apart_in_flight_than_their_hips()
+    {
+        int pairs = 0;
+        IEnumerable<Creature> mixed = Enumerable.Range(24901000, 48).Select(seed => CreatureGenerator.Generate((ulong)seed, CreatureOptions.Default with { Kind = RequestedKind.Flying }));
+        foreach (StrokeSubject body in Cruising(mixed, 1))
+        {
+            Vector3[] now = body.ModelPositions;
+            foreach (IGrouping<LimbArchetype?, LimbChain> kind in body.Creature.Limbs.Where(limb => limb.Kind == LimbKind.Leg && limb.Side == Side.Left).GroupBy(limb => limb.Archetype))
+            {
+                LimbChain[] legs = kind.OrderByDescending(limb => now[limb.Joints[1]].Z).ToArray();
+                if (legs.Length > 1)
+                {
+                    float roots = now[legs[0].Joints[1]].Z - now[legs[^1].Joints[1]].Z;
+                    float tips = now[legs[0].Joints[^1]].Z - now[legs[^1].Joints[^1]].Z;
+                    Assert.True(tips > LeastFan * roots, FormattableString.Invariant($"{body.Creature.Blueprint.Seed}: feet of legs that begin {roots} m apart are {tips} m apart"));
+                    pairs++;
+                }
+            }
+        }
+
+        Assert.True(pairs > 12);
     }
 
     /// <summary>Drawn in below the chest, with the forearm upright and the paw laid back, they were seen as the letter L from ahead and beside.</summary>

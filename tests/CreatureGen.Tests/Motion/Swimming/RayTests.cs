@@ -41,6 +41,17 @@ public sealed class RayTests
         Assert.True(rows.Zip(rows.Skip(1)).All(pair => ray.Skeleton.ModelPositions[pair.First.Joints[0]].Z > ray.Skeleton.ModelPositions[pair.Second.Joints[0]].Z));
     }
 
+    /// <summary>The halves of a disc are its paired fins: those of another species, held by the trunk, stayed at the edge's place as it beat, and drew it down like the legs of a table.</summary>
+    [Theory]
+    [InlineData(24890016)]
+    public void Paired_fins_of_another_species_do_not_grow_from_the_edge_of_a_disc(int seed)
+    {
+        Creature ray = CreatureGenerator.Generate((ulong)seed, CreatureOptions.Default with { Kind = RequestedKind.Swimming });
+        float edge = ray.Limbs.Where(limb => limb.Kind == LimbKind.Disc && limb.Side == Side.Left).Max(limb => ray.Skeleton.ModelPositions[limb.Joints[^1]].X);
+        Assert.All(ray.Limbs.Where(limb => limb.Kind == LimbKind.Pectoral && limb.Side == Side.Left), fin => Assert.True(ray.Skeleton.ModelPositions[fin.Joints[0]].X < 0.4f * edge, $"{fin.Pair}"));
+        Assert.Equal(SwimStyle.Disc, SwimProfile.Of(new MotionSubject(ray)).Style);
+    }
+
     [Theory]
     [MemberData(nameof(Seeds))]
     public void The_edge_beats_up_and_down_in_a_wave_from_front_to_rear_and_alike_on_both_sides(ulong seed)
