@@ -46,4 +46,10 @@ internal sealed class CoatSubject
 
     /// <summary>Radius of the eye, metres at scale 1; 0 for a head without eyes.</summary>
     public float EyeRadius { get; set; }
+
+    /// <summary>Ring of the body at the eye.</summary>
+    public float EyeRing { get; set; }
+
+    /// <summary>Radians around the body at the eye, 0 on the midline of its top.</summary>
+    public float EyeAround { get; set; }
 }

@@ -63,6 +63,18 @@ internal sealed class HeadCoat
     /// <summary>Share of the muzzle's colour on a bare snout.</summary>
     private const float BarePatch = 0.42f;
 
+    // How much lighter and darker the planes of a face are, shares of light, and angle of the eyes from the middle below which there are none between them, radians.
+    private const float PlaneLight = 0.85f;
+    private const float PlaneShade = 0.62f;
+    private const float NoPlanes = 0.5f;
+
+    // Least distance of the ring around the eyes from the coat of the face, as OKLAB has it, and how much of its colour is laid on.
+    private const double RingApart = 0.2;
+    private const float RingCover = 0.8f;
+
+    /// <summary>Lightness of a dark ring around the eyes against that of the limbs.</summary>
+    private const double RingShade = 0.84;
+
     // Least distance, as OKLAB has it, of what a face wears from the coat of the face: of markings, muzzles and beaks.
     private const double MarkApart = 0.16;
     private const double MuzzleApart = 0.14;
@@ -110,7 +122,8 @@ internal sealed class HeadCoat
         dark = 1f - Scalar.Smooth(((float)face - Unseen) / (Seen - Unseen));
         paleColour = AtLeast(coat.Belly, PaleLightness, chroma: 0);
         BeakColour = Vec.Lerp(OklchColour.ToLinearRgb(Apart(coat.Muzzle, skin, BeakApart)), AtLeast(coat.Muzzle, PaleBeak, HornyChroma), dark);
-        Vector3 ring = bright || CoatChoice.Of(patternSeed, CoatChoice.EyeRing) > 0.4f * vivid ? palette.Limb * 0.6f : palette.Accent;
+        ColourBlueprint around = bright || CoatChoice.Of(patternSeed, CoatChoice.EyeRing) > 0.4f * vivid ? coat.Limb with { Lightness = RingShade * coat.Limb.Lightness } : coat.Accent;
+        Vector3 ring = OklchColour.ToLinearRgb(Apart(around, skin, RingApart));
         Vector3 muzzle = OklchColour.ToLinearRgb(Apart(CoatChoice.Of(patternSeed, CoatChoice.Muzzle) < 0.5f ? coat.Belly : coat.Limb, skin, MuzzleApart));
         ringColour = Vec.Lerp(ring, paleColour, dark);
         muzzleColour = Vec.Lerp(muzzle, paleColour, dark);
@@ -130,8 +143,7 @@ internal sealed class HeadCoat
         colour = tone?.Over(colour, place.Ring) ?? colour;
         colour = Vec.Lerp(colour, markColour, 0.9f * HeadMarks.At(subject.Mark, place.Ring, place.Around));
         colour *= 1f - (GillShade * GillMarks.At(subject.Gills, place.Ring, place.Around));
-        colour = EyeRing(colour, place);
-        colour = Snout(colour, place);
+        colour = EyeRing(Modelled(Snout(colour, place), place), place);
         colour = Vec.Lerp(colour, Vec.Lerp(colour * PoreShade, paleColour, dark), pores * SnoutPores.At(place.Ring, place.Around));
         return subject.Lips is MouthLine lips ? Lips(colour, lips.DistanceOf(place)) : colour;
     }
@@ -162,6 +174,18 @@ internal sealed class HeadCoat
         return colour * Scalar.Lerp(1f, Scalar.Lerp(LineShade, PaleLineShade, dark), Scalar.Smooth((LineBreadth - distance) / LineBlur));
     }
 
+    /// <summary>The colour with light and shade of the planes of a face; those of insects have plates, and beaks are horn.</summary>
+    private Vector3 Modelled(Vector3 colour, in SkinPlace place)
+    {
+        if (subject.EyeRadius <= 0f || subject.EyeAround < NoPlanes || subject.Snout == SnoutKind.Beak || subject.Beak != null || (subject.Snout == SnoutKind.Bare && subject.Lips is null))
+        {
+            return colour;
+        }
+
+        float light = FaceShade.At(place.Ring, place.Around, subject.EyeRing, subject.EyeAround);
+        return colour * (1f + (light * (light > 0f ? PlaneLight : PlaneShade)));
+    }
+
     private Vector3 EyeRing(Vector3 colour, in SkinPlace place)
     {
         if (subject.EyeRadius <= 0f)
@@ -172,7 +196,7 @@ internal sealed class HeadCoat
         // As wide as the eye's radius, but no halo around the huge eyes of insects.
         float width = Math.Min(subject.EyeRadius, WidestRing);
         float beyond = Vec.Distance(place.Position, subject.EyeCentre) - subject.EyeRadius;
-        return Vec.Lerp(colour, ringColour, 0.65f * Scalar.Smooth((width - beyond) / (0.8f * width)));
+        return Vec.Lerp(colour, ringColour, RingCover * Scalar.Smooth((width - beyond) / (0.8f * width)));
     }
 
     private Vector3 Snout(Vector3 colour, in SkinPlace place)

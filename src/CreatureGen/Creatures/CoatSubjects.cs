@@ -5,8 +5,10 @@ using CreatureGen.Anatomy.Beaks;
 using CreatureGen.Appearance;
 using CreatureGen.Appearance.Textures;
 using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
 using CreatureGen.Features;
 using CreatureGen.Limbs;
+using CreatureGen.Maths;
 using CreatureGen.Species;
 
 namespace CreatureGen.Creatures;
@@ -40,6 +42,8 @@ internal static class CoatSubjects
             WingStyles = wings,
             EyeCentre = eye.Centre,
             EyeRadius = eye.Radius,
+            EyeRing = (float)blueprint.Head.Eyes.Ring,
+            EyeAround = (float)(blueprint.Head.Eyes.Segment * PortableMath.Tau / BodyGrid.Segments),
         };
     }
 

@@ -20,7 +20,7 @@ internal static class EyeShape
     private const int Segments = 20;
 
     // Angles from the gaze, radians.
-    private const float RoundPupil = 0.55f;
+    private const float RoundPupil = 0.48f;
     private const float SlitHalfWidth = 0.17f;
     private const float SlitHalfHeight = 0.70f;
     private const float BarHalfWidth = 0.62f;
@@ -112,7 +112,7 @@ internal static class EyeShape
 
         // Light that falls through the cornea brightens the iris opposite to where it came from: dark under the brow, glowing below.
         Vector3 low = iris * 1.25f;
-        Vector3 high = iris * 0.42f;
+        Vector3 high = iris * 0.56f;
         a = Ring(builder, frame, pupil, low * 0.80f, high * 0.75f, 0.05f);
         Scale(circle, IrisEdge, ring);
         Mix(pupil, ring, 0.45f, inner);

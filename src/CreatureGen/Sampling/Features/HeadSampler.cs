@@ -27,16 +27,21 @@ internal static class HeadSampler
     private const double FlatEyes = 0.42;
     private const double MixedSink = 0.5;
 
-    // On the same: radius of the smallest eyes in half heights of the head, and the lowest segment that they are at: sharks' and dolphins' are not seen from the front.
-    private const double SmallestEye = 0.29;
+    // On the same: radius of the smallest eyes in half heights of the head, of those on top of it, and the lowest segment that they are at: sharks' and dolphins' are not seen from the front.
+    private const double SmallestEye = 0.36;
+    private const double SmallestOnTop = 0.29;
     private const double LowestEye = 5.7;
+
+    /// <summary>The same of a strange creature's own head: a rhino's, a boar's or a bear's are specks from the front.</summary>
+    private const double SmallestOwn = 0.29;
 
     /// <summary>Probability of a single eye at full strangeness.</summary>
     private const double SingleEyes = 0.05;
 
-    // Widest that lids of another body's head, or of eyes on top of any, are open on a strange creature, degrees above and below the gaze: wider, a frog's eyes are goggles.
-    private const double WidestUpper = 42;
-    private const double WidestLower = 50;
+    // Widest that lids of another body's head, and of eyes on top of any, are open on a strange creature, degrees above and below the gaze: wider, a frog's eyes are goggles.
+    private const double WidestUpper = 50;
+    private const double WidestOnTop = 42;
+    private const double WidestLower = 54;
 
     // A single eye: its largest radius in halves of the head, how deep it sits, in radii, and how far it looks ahead.
     private const double LargestSingle = 0.46;
@@ -74,14 +79,14 @@ internal static class HeadSampler
     private const double HighestSkull = 1.3;
 
     // How far ahead eyes ashore are drawn to look, and by how much of what they lack.
-    private const double LooksAhead = 0.85;
-    private const double AheadShare = 0.7;
+    private const double LooksAhead = 0.95;
+    private const double AheadShare = 0.75;
 
     /// <summary>The part of that on a swimmer's head that is no board: what comes head first is seen over its nose, and without a bridge that is a blank plate.</summary>
     private const double LeastBridge = 0.55;
 
     /// <summary>How far the eyes of a mixed swimmer look ahead at least: those that look aside are slits at the edge of a face without eyes.</summary>
-    private const double Ahead = 0.5;
+    private const double Ahead = 0.6;
 
     /// <summary>Highest ridge of the brow on a strange head, relative to its section: a higher one is a corner of a box.</summary>
     private const double HighestBrow = 0.12;
@@ -264,7 +269,7 @@ internal static class HeadSampler
         radius = Math.Min(radius, LargestEye(builder));
         double mixed = Mixed(builder);
         double onTop = builder.Fitting * Scalar.Clamp(1 + OnTop - species.Eye.Segment, 0, 1);
-        radius = Math.Max(radius * Scalar.Lerp(1, EyesOnTop, onTop), mixed * SmallestEye * half);
+        radius = Math.Max(radius * Scalar.Lerp(1, EyesOnTop, onTop), Math.Max(mixed * Scalar.Lerp(SmallestEye, SmallestOnTop, onTop), builder.Fitting * SmallestOwn * (1 - onTop)) * half);
         bool faceted = random.Chance(species.CompoundEyes);
         bool slit = random.Chance(species.SlitPupils);
         bool bar = builder.Stream("bar pupils").Chance(species.BarPupils);
@@ -280,7 +285,7 @@ internal static class HeadSampler
         if (species.EyeRim == EyeRim.Lids)
         {
             double lidded = Math.Max(mixed, onTop);
-            upper = Math.Min(upper, Scalar.Lerp(upper, WidestUpper, lidded));
+            upper = Math.Min(upper, Scalar.Lerp(upper, Scalar.Lerp(WidestUpper, WidestOnTop, onTop), lidded));
             lower = Math.Min(lower, Scalar.Lerp(lower, WidestLower, lidded));
         }
 
