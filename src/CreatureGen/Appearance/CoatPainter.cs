@@ -17,6 +17,20 @@ internal sealed class CoatPainter
 {
     private const float DarkestChannel = 0.003f;
 
+    // The rings of the head over which a pattern gives way on the face, and the part of it that does: of one of broad fields, which cut a face at random, and of one of small marks.
+    private const float FaceEnd = 16f;
+    private const float FaceRings = 5f;
+    private const float BroadOffFace = 0.75f;
+    private const float SmallOffFace = 0.35f;
+
+    // Where along a limb, 0..1, a pattern of broad fields begins to give way, over how much of it, and which part of it does; and the same of others.
+    private const float BroadAlong = 0.22f;
+    private const float BroadFade = 0.38f;
+    private const float BroadOffLimb = 0.85f;
+    private const float SmallAlong = 0.45f;
+    private const float SmallFade = 0.4f;
+    private const float SmallOffLimb = 0.6f;
+
     private readonly CoatPalette palette;
     private readonly CoatSubject subject;
     private readonly PatternField pattern;
@@ -26,6 +40,8 @@ internal sealed class CoatPainter
     private readonly ShellCoat shell;
     private readonly HairCoat hair;
     private readonly float strength;
+    private readonly bool broad;
+    private readonly float offFace;
     private readonly ValueNoise grains;
     private readonly ValueNoise tide;
     private readonly ValueNoise tone;
@@ -37,6 +53,8 @@ internal sealed class CoatPainter
         palette = new CoatPalette(coat);
         pattern = new PatternField(coat.PatternKind, coat.PatternScale, coat.PatternSeed, coat.Marks);
         strength = Scalar.Clamp((float)coat.PatternStrength, 0f, 1f);
+        broad = coat.PatternKind is PatternKind.Patches or PatternKind.Mottle or PatternKind.Bands or PatternKind.Giraffe or PatternKind.Turing;
+        offFace = broad ? BroadOffFace : SmallOffFace;
         int salt = unchecked((coat.PatternSeed * 16) + 8);
         grains = new ValueNoise(salt);
         tide = new ValueNoise(salt + 1);
@@ -151,7 +169,11 @@ internal sealed class CoatPainter
         float mask = patternFraction * strength * (1f - (0.75f * tones.Belly));
         if (place.IsLimb)
         {
-            mask *= 1f - (0.6f * Scalar.Smooth((place.Along - 0.45f) / 0.4f));
+            mask *= broad ? 1f - (BroadOffLimb * Scalar.Smooth((place.Along - BroadAlong) / BroadFade)) : 1f - (SmallOffLimb * Scalar.Smooth((place.Along - SmallAlong) / SmallFade));
+        }
+        else if (place.IsTrunk)
+        {
+            mask *= 1f - (offFace * Scalar.Smooth((FaceEnd - place.Ring) / FaceRings));
         }
 
         Vector3 colour = Vec.Lerp(tones.Back, palette.Pattern, mask);

@@ -73,6 +73,24 @@ internal static class Girdles
         new(Ring: -3.6, Segment: Belly, RingSpread: 2.8, SegmentSpread: Broad, Amount: -0.2),  // groin
     };
 
+    // What a trunk between legs that reach out to its side is given, at shoulders and at hips: without it that is a tube with legs.
+    private static readonly HeadBump[] sprawlingShoulders =
+    {
+        new(Ring: -1.2, Segment: 4.8, RingSpread: 1.8, SegmentSpread: 2.1, Amount: 0.15),  // shoulder blade
+        new(Ring: -0.6, Segment: Back, RingSpread: 2.4, SegmentSpread: Broad, Amount: 0.10),  // withers
+        new(Ring: 5.4, Segment: Back, RingSpread: 3, SegmentSpread: Broad, Amount: -0.15),  // dip behind them
+        new(Ring: 3.2, Segment: 7, RingSpread: 1.5, SegmentSpread: 2.4, Amount: -0.11),  // hollow behind the shoulder
+        new(Ring: 7, Segment: 9.5, RingSpread: 2.8, SegmentSpread: 3, Amount: 0.12),  // belly between the legs
+    };
+
+    private static readonly HeadBump[] sprawlingHips =
+    {
+        new(Ring: -0.4, Segment: 5.2, RingSpread: 2, SegmentSpread: 2.2, Amount: 0.18),  // haunch
+        new(Ring: -1, Segment: Back, RingSpread: 2.2, SegmentSpread: Broad, Amount: 0.15),  // hip bone
+        new(Ring: -3.8, Segment: 8, RingSpread: 1.8, SegmentSpread: 2.6, Amount: -0.15),  // flank
+        new(Ring: -3, Segment: Belly, RingSpread: 2.6, SegmentSpread: Broad, Amount: -0.25),  // groin
+    };
+
     /// <summary>What a trunk that stands upright is given, in rings from the middle of its hips: it is seen from before and behind, where it would be a pipe.</summary>
     private static readonly HeadBump[] upright =
     {
@@ -121,6 +139,13 @@ internal static class Girdles
             plank *= Scalar.Clamp((Lively - Liveliness(shape)) / (Lively - Straight), 0, 1);
             Add(bumps, withers, Middle(legs[0]), plank);
             Add(bumps, croup, Middle(legs[legs.Count - 1]), plank);
+        }
+
+        if (creature.Plan == BodyPlan.Sprawling && legs.Count > 1 && creature.Wings.Count == 0 && creature.Body.Shell.Style == ShellStyle.None)
+        {
+            double rest = 1 - (Sprawling * bare);
+            Add(bumps, sprawlingShoulders, Middle(legs[0]), rest);
+            Add(bumps, sprawlingHips, Middle(legs[legs.Count - 1]), rest);
         }
 
         return new ValueList<HeadBump>(bumps);

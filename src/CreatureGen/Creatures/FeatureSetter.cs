@@ -232,7 +232,7 @@ internal sealed class FeatureSetter
         int ring = (int)feature.Ring;
         bool median = feature.Segment is 0 or 16;
         var curve = new FeatureCurve(feature, grown.Skin.At(feature.Ring, feature.Segment), shape.Forward(ring), Vector3.UnitY, 1f);
-        builder.Clear(SurfaceFinish.Horn);
+        builder.Clear(feature.Kind == FeatureKind.Ocellus ? SurfaceFinish.Eye : SurfaceFinish.Horn);
         if (feature.Kind == FeatureKind.Antenna)
         {
             AntennaShape.Append(builder, feature, curve, 1f, palette.Limb * 0.8f, feature.Flatness < 0.5 ? palette.Limb * 0.8f : palette.Accent);

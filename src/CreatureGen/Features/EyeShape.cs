@@ -31,6 +31,9 @@ internal static class EyeShape
     private const float BackRing = 1.85f;
     private const float CorneaEdge = 1.0f;
 
+    /// <summary>Shade of the back of a faceted dome against its front.</summary>
+    private const float BackShade = 0.75f;
+
     /// <summary>How far apart the two halves of an eye on the midline may be by rounding, in radii.</summary>
     private const float Rounding = 5e-5f;
 
@@ -162,7 +165,7 @@ internal static class EyeShape
                 Vector3 direction = (frame.Outward * unit.X) + (frame.Up * unit.Y) + (frame.Gaze * unit.Z);
                 Vector3 offset = (frame.Outward * (unit.X * radii.X)) + (frame.Up * (unit.Y * radii.Y)) + (frame.Gaze * (unit.Z * radii.Z));
                 Vector3 normal = (frame.Outward * (unit.X / radii.X)) + (frame.Up * (unit.Y / radii.Y)) + (frame.Gaze * (unit.Z / radii.Z));
-                Vector3 shade = i <= 3 ? Facet(colour, unit.Y, Vec.Dot(direction, sheen), i + k) : rimColour;
+                Vector3 shade = i <= 3 ? Facet(colour, unit.Y, Vec.Dot(direction, sheen), i + k) : i == 4 ? rimColour : Behind(colour, unit.Y);
                 builder.Vertex(frame.Centre + offset, Vec.Normalize(normal), shade);
             }
 
@@ -178,9 +181,12 @@ internal static class EyeShape
             previous = ring;
         }
 
-        int back = builder.Vertex(frame.Centre - (frame.Gaze * radii.Z), Vector3.Zero - frame.Gaze, rimColour);
+        int back = builder.Vertex(frame.Centre - (frame.Gaze * radii.Z), Vector3.Zero - frame.Gaze, Behind(colour, 0f));
         builder.FanBelow(previous, back, Segments);
     }
+
+    /// <summary>The back of a dome behind its dark rim, which is seen from behind where an eye stands out of the head: black, it is a hole.</summary>
+    private static Vector3 Behind(Vector3 colour, float height) => Facet(colour, height, 0f, 0) * BackShade;
 
     // Facets swallow light: even the brightest are darker than an iris of the same colour.
     private static Vector3 Facet(Vector3 colour, float height, float towardsSheen, int parity)

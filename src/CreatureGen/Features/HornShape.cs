@@ -32,7 +32,7 @@ internal static class HornShape
             float s = 1f - ((1f - x) * (1f - (0.35f * x)));
             float t = start + ((1f - start) * s);
             float ridge = form.Ridge * ((i & 1) == 0 ? 1f : -1f) * (1f - x);
-            float r = radius * (float)PortableMath.Pow(1f - s, taper) * (1f + ridge);
+            float r = radius * (form.Dome ? (float)Math.Sqrt(1f - (s * s)) : (float)PortableMath.Pow(1f - s, taper)) * (1f + ridge);
             Vector3 shade = Shade(form, colour, s) * (1f + (1.6f * ridge));
             rows[i] = new TubeRow(curve.Point(t), r, r * flatness, Clamp(shade));
         }
@@ -64,7 +64,7 @@ internal static class HornShape
         FeatureKind.Tusk => new Form(sides: 7, rows: 6, ridge: 0f, tip: 1.1f, root: 0.4f),
         FeatureKind.Tuft => new Form(sides: 6, rows: 5, ridge: 0f, tip: 0.55f),
         FeatureKind.Scute => new Form(sides: 6, rows: 2, ridge: 0f, tip: 0.7f),
-        FeatureKind.Ocellus => new Form(sides: 8, rows: 4, ridge: 0f, tip: 1f),
+        FeatureKind.Ocellus => new Form(sides: 10, rows: 5, ridge: 0f, tip: 7f, dome: true),
         FeatureKind.Plate => new Form(sides: 10, rows: 5, ridge: 0f, tip: 0.7f),
         FeatureKind.Club => new Form(sides: 9, rows: 6, ridge: 0.06f, tip: 0.75f),
         _ => throw new ArgumentException("feature kind " + kind + "; expected a horn, spike, mandible, tusk or tuft", nameof(kind)),
@@ -73,13 +73,14 @@ internal static class HornShape
     /// <summary>Resolution and shading of one kind.</summary>
     private readonly struct Form
     {
-        public Form(int sides, int rows, float ridge, float tip, float root = 0.62f)
+        public Form(int sides, int rows, float ridge, float tip, float root = 0.62f, bool dome = false)
         {
             Sides = sides;
             Rows = rows;
             Ridge = ridge;
             Tip = tip;
             Root = root;
+            Dome = dome;
         }
 
         public int Sides { get; }
@@ -94,5 +95,8 @@ internal static class HornShape
 
         /// <summary>Factor on the colour at the root: tusks are stained where they leave the gum.</summary>
         public float Root { get; }
+
+        /// <summary>Whether it is half a ball, whatever its taper: small eyes are.</summary>
+        public bool Dome { get; }
     }
 }

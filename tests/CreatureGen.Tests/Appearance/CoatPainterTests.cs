@@ -211,6 +211,30 @@ public sealed class CoatPainterTests
         Assert.InRange(seen[HeadMark.None], 45, 105);
     }
 
+    [Theory]
+    [InlineData(PatternKind.Patches)]
+    [InlineData(PatternKind.Giraffe)]
+    [InlineData(PatternKind.Bands)]
+    [InlineData(PatternKind.Turing)]
+    public void Broad_fields_of_a_pattern_leave_the_face_and_the_shins(PatternKind kind)
+    {
+        var patterned = new CoatPainter(tabby with { PatternKind = kind }, Subject());
+        var plain = new CoatPainter(tabby with { PatternKind = kind, PatternStrength = 0 }, Subject());
+        Assert.True(Seen(9) < 0.4f * Seen(24), FormattableString.Invariant($"{Seen(9):0.000} on the face, {Seen(24):0.000} on the trunk"));
+        Assert.True(Shin(0.75f) < 0.4f * Shin(0.1f), FormattableString.Invariant($"{Shin(0.75f):0.000} on the shin, {Shin(0.1f):0.000} on the thigh"));
+
+        float Seen(int ring) => Enumerable.Range(0, 90).Max(step => Of(Address(SurfaceRegion.Body, ring, 6), new Vector3(0.2f, 1f, 1.2f - (0.03f * step))));
+
+        float Shin(float along)
+        {
+            VertexAddress leg = Address(SurfaceRegion.Leg, 30, 10);
+            leg.Along = along;
+            return Enumerable.Range(0, 90).Max(step => Of(leg, new Vector3(0.2f, 0.4f, 1.2f - (0.03f * step))));
+        }
+
+        float Of(VertexAddress address, Vector3 place) => Distance(patterned.At(address, place, Vector3.UnitX), plain.At(address, place, Vector3.UnitX));
+    }
+
     private static Vector3 Leg(CoatPainter painter, SurfaceRegion region, float along)
     {
         VertexAddress address = Address(region, 30, 10);

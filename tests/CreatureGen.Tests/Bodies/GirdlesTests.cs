@@ -51,6 +51,28 @@ public sealed class GirdlesTests
     }
 
     [Fact]
+    public void Trunks_between_legs_out_to_their_sides_have_withers_a_dip_and_hips()
+    {
+        int tubes = 0;
+        for (ulong seed = 24902000; seed < 24902120; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, LocomotionKind.Walking);
+            if (creature.Plan != BodyPlan.Sprawling || creature.Legs.Count < 2 || creature.Wings.Count > 0 || creature.Body.Shell.Style != ShellStyle.None)
+            {
+                continue;
+            }
+
+            BodySkin skin = BodySkin.Span(BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail), creature);
+            int fore = (int)creature.Legs.Min(leg => leg.Socket.Ring + (0.5 * leg.Socket.Rows));
+            int hind = (int)creature.Legs.Max(leg => leg.Socket.Ring + (0.5 * leg.Socket.Rows));
+            Assert.True(Factor(skin, fore, 0) - Factor(skin, fore + 5, 0) > 0.1 && Factor(skin, hind - 1, 0) - Factor(skin, fore + 5, 0) > 0.1, FormattableString.Invariant($"{seed}: a straight back"));
+            tubes++;
+        }
+
+        Assert.True(tubes > 8, $"{tubes} tubes");
+    }
+
+    [Fact]
     public void Swimmers_keep_the_torsos_of_their_bodies()
     {
         for (ulong seed = 10420001; seed <= 10420060; seed++)
