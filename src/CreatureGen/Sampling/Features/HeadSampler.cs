@@ -27,6 +27,9 @@ internal static class HeadSampler
     private const double FlatEyes = 0.42;
     private const double MixedSink = 0.5;
 
+    /// <summary>Greatest depth of the centres of a strange creature's eyes below the skin, in radii: those of horses and cattle are seen neither from the front nor from the side where they are deeper.</summary>
+    private const double DeepestSink = 0.54;
+
     // On the same: radius of the smallest eyes in half heights of the head, of those on top of it, and the lowest segment that they are at: sharks' and dolphins' are not seen from the front.
     private const double SmallestEye = 0.36;
     private const double SmallestOnTop = 0.29;
@@ -290,6 +293,7 @@ internal static class HeadSampler
         }
 
         double sink = Math.Max(species.EyeSink, Scalar.Lerp(species.EyeSink, MixedSink, mixed));
+        sink = Math.Min(sink, Scalar.Lerp(sink, DeepestSink, builder.Fitting));
         double segment = Math.Min(species.Eye.Segment, Scalar.Lerp(species.Eye.Segment, LowestEye, mixed));
         return new EyeBlueprint(style, species.Eye.Ring, segment, radius, sink, Forward(builder), Scalar.Radians(upper), Scalar.Radians(lower), 0.42 * mood);
     }
