@@ -15,6 +15,9 @@ namespace CreatureGen.Sampling;
 /// <summary>A creature while it is being sampled: what has been decided so far.</summary>
 internal sealed class CreatureBuilder
 {
+    /// <summary>Read by nobody before the body is shaped: one for all.</summary>
+    private static readonly BodyShape unshaped = new();
+
     public CreatureBuilder(Seed seed, LocomotionKind kind, Parentage parents, BodyPlan plan, double strangeness)
     {
         Seed = seed;
@@ -78,7 +81,7 @@ internal sealed class CreatureBuilder
     public BodyBlueprint Body => BodyAt(Elevation);
 
     /// <summary>The body as it stands, its head still without a face.</summary>
-    public BodyShape Shape { get; set; } = new();
+    public BodyShape Shape { get; set; } = unshaped;
 
     /// <summary>The body that was shaped last, at elevation 0, and its shape: what is asked for again is not shaped again.</summary>
     public (BodyPlan Plan, BodyBlueprint Body, TailBlueprint Tail, BodyShape Shape)? Shaped { get; set; }

@@ -75,13 +75,7 @@ internal static class LegSampler
     public static SpineMeasure Measure(CreatureBuilder builder)
     {
         BodyShape s = builder.Shape;
-        if (builder.Measured is not var (measured, measure) || measured != s)
-        {
-            // Asked for up to five times while legs are placed on one shape.
-            measure = OpenJaw.Load(builder, SpineSurvey.Measure(s.Y, s.Z, s.Width, s.Top, s.Bottom));
-            builder.Measured = (s, measure);
-        }
-
+        SpineMeasure measure = OpenJaw.Measure(builder);
         foreach (WingBlueprint wing in builder.Wings)
         {
             if (wing.Style != WingStyle.Folded)

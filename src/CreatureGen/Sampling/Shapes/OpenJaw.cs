@@ -15,8 +15,21 @@ internal static class OpenJaw
     private const int LastHinge = 14;
     private const int BehindCorner = 3;
 
+    /// <summary>The torso with the weight of an open mouth. Asked for up to five times while legs are placed on one shape, and measured once.</summary>
+    public static SpineMeasure Measure(CreatureBuilder builder)
+    {
+        BodyShape s = builder.Shape;
+        if (builder.Measured is not var (measured, measure) || measured != s)
+        {
+            measure = Load(builder, SpineSurvey.Measure(s.Y, s.Z, s.Width, s.Top, s.Bottom));
+            builder.Measured = (s, measure);
+        }
+
+        return measure;
+    }
+
     /// <summary>The body with the weight of its open mouth, as far as it opens where no ground is in its way.</summary>
-    public static SpineMeasure Load(CreatureBuilder builder, SpineMeasure measure)
+    private static SpineMeasure Load(CreatureBuilder builder, SpineMeasure measure)
     {
         double angle = HeadSampler.Opening(builder);
         if (angle == 0)
