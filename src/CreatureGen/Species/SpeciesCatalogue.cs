@@ -90,7 +90,7 @@ internal static class SpeciesCatalogue
     /// <exception cref="ArgumentException">There is none.</exception>
     public static SpeciesProfile Find(string body)
     {
-        if (byBody.TryGetValue(body, out SpeciesProfile? found))
+        if (body != null && byBody.TryGetValue(body, out SpeciesProfile? found))
         {
             return found;
         }
