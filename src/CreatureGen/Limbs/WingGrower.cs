@@ -67,8 +67,8 @@ internal static class WingGrower
     private const float FeatherTip = 0.35f;
     private const float InnerNotch = 0.4f;
 
-    // Over how many of the outermost feathers the end of a wing is rounded: over a part of one, between two chord lines, it is cut off square.
-    private const float RoundTip = 1.2f;
+    // Over how many of the outermost feathers the end of a wing is rounded: over less, between two chord lines, it is cut off square.
+    private const float RoundTip = 0.8f;
 
     /// <summary>Chord lines of one feather, in its widths: four, or three where there are many.</summary>
     private static readonly float[] dense = { 0.02f, 0.35f, 0.7f, 0.99f };

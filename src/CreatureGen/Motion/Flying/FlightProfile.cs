@@ -38,8 +38,8 @@ internal sealed class FlightProfile
     private const double SlowCycle = 5;
 
     /// <summary>Area of all wings over the square of the span: of dragonflies at most, and of butterflies and moths at least.</summary>
-    private const double NarrowWings = 0.18;
-    private const double BroadWings = 0.24;
+    private const double NarrowWings = 0.17;
+    private const double BroadWings = 0.22;
 
     /// <summary>Thrust over weight for each beat in the time √(span/g), and its bounds; that of insects.</summary>
     private const double PowerPerBeat = 0.3;

@@ -21,6 +21,9 @@ public sealed class FlightSilhouetteTests
     /// <summary>Least elevation of a thin wing at the top of its beat, radians: below it, the near blade lies in the line of sight of who looks from ahead and beside.</summary>
     private const double LeastRaised = 0.9;
 
+    /// <summary>Most by which hind wings that are broad stand higher or lower than the fore wings, radians.</summary>
+    private const double MostApart = 0.45;
+
     /// <summary>Least that the first knees of insects fold in flight, radians more than as they stand.</summary>
     private const double LeastFold = 0.7;
 
@@ -65,6 +68,28 @@ public sealed class FlightSilhouetteTests
 
         Assert.Equal(6, highest.Count);
         Assert.All(highest, wing => Assert.True(wing.Value > LeastRaised, FormattableString.Invariant($"{wing.Key}: {wing.Value} rad")));
+    }
+
+    /// <summary>A quarter of a beat behind, hind wings were flipped over where the fore wings stood high, and planks from the side and from behind: by up to .9 rad lower than these.</summary>
+    [Fact]
+    public void Hind_wings_of_butterflies_and_moths_beat_with_the_fore_wings()
+    {
+        int seen = 0;
+        CreatureOptions flying = CreatureOptions.Default with { Kind = RequestedKind.Flying };
+        IEnumerable<Creature> broad = Enumerable.Range(24890000, 60)
+            .Select(seed => BlueprintSampler.Sample((ulong)seed, flying))
+            .Where(blueprint => blueprint.InsectWings.Any(wing => wing.Style is ThinWingStyle.ButterflyHind or ThinWingStyle.MothHind))
+            .Take(6)
+            .Select(blueprint => CreatureGenerator.Generate(blueprint.Seed, flying));
+        foreach (StrokeSubject body in Cruising(broad, 8))
+        {
+            double[] raised = [.. body.Creature.Limbs.Where(limb => limb.Kind == LimbKind.InsectWing && limb.Side == Side.Left)
+                .Select(wing => Math.Asin(Vector3.Normalize(body.ModelPositions[wing.Joints[1]] - body.ModelPositions[wing.Joints[0]]).Y))];
+            Assert.True(raised.Length == 2 && Math.Abs(raised[0] - raised[1]) < MostApart, FormattableString.Invariant($"{body.Creature.Blueprint.Seed}: {raised[0]} and {raised[^1]} rad"));
+            seen++;
+        }
+
+        Assert.Equal(48, seen);
     }
 
     /// <summary>
