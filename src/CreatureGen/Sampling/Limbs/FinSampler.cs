@@ -55,8 +55,9 @@ internal static class FinSampler
     private const double LeastSweep = 0.15;
     private const double MostSweep = 1;
 
-    /// <summary>Width of a body, of its greatest, from which on a disc beats there.</summary>
+    /// <summary>Width of a body, of its greatest, from which on a disc beats there, and length of fins behind it relative to those of bodies without.</summary>
     private const double DiscWidth = 0.4;
+    private const double ShortBehindDisc = 0.5;
 
     /// <summary>Rings behind a leg's socket over which the leg lies in the water.</summary>
     private const int UnderLegs = 13;
@@ -166,8 +167,6 @@ internal static class FinSampler
             pairs += fin.Place == FinPlace.Pectoral ? 1 : 0;
         }
 
-        // The halves of a disc are a pair.
-        pairs += builder.Species.Disc.Sweep != 0 ? 1 : 0;
         int need = builder.Plan switch { BodyPlan.Flipper => 2, BodyPlan.Fish or BodyPlan.Whale => 1, _ => 0 };
         builder.Plan = pairs >= need ? builder.Plan : pairs > 0 ? BodyPlan.Fish : BodyPlan.Eel;
     }
@@ -176,8 +175,8 @@ internal static class FinSampler
     private static bool IsBesideLeg(CreatureBuilder builder, SocketBlueprint socket) =>
         builder.Legs.Exists(leg => (builder.Plan == BodyPlan.Eel || leg.Socket.Ring < socket.Ring) && Math.Abs(socket.Ring - leg.Socket.Ring) < UnderLegs);
 
-    /// <summary>Whether a place is on the edge of a disc, which is a pair of fins itself: one that held on to the trunk stayed where it was as the disc beat, and drew its edge down to a table's legs.</summary>
-    private static bool IsOnDisc(CreatureBuilder builder, int ring)
+    /// <summary>The ring of a paired fin: behind a disc, which is a pair of fins itself. One that held on to the trunk stayed where it was as the disc beat, and drew its edge down to a table's legs.</summary>
+    private static int BehindDisc(CreatureBuilder builder, int ring)
     {
         double widest = 0;
         for (int i = 0; i < StationRing.TailFirst; i++)
@@ -185,7 +184,12 @@ internal static class FinSampler
             widest = Math.Max(widest, builder.Shape.Width[i]);
         }
 
-        return builder.Species.Disc.Sweep != 0 && builder.Shape.Width[ring] > DiscWidth * widest;
+        while (builder.Species.Disc.Sweep != 0 && ring < StationRing.TailFirst && builder.Shape.Width[ring] > DiscWidth * widest)
+        {
+            ring++;
+        }
+
+        return ring;
     }
 
     /// <summary>The fins that a species always has.</summary>
@@ -198,16 +202,18 @@ internal static class FinSampler
             length = fin.Place == FinPlace.Pectoral ? Shortened(builder, length) : length;
             double width = CreatureBuilder.Between(random, fin.Width);
             double sweep = fin.Place == FinPlace.Pectoral ? Scalar.Clamp(fin.Sweep + back, Math.Min(fin.Sweep, LeastSweep), Math.Max(fin.Sweep, MostSweep)) : fin.Sweep;
+            int ring = fin.Place == FinPlace.Pectoral ? BehindDisc(builder, fin.Ring) : fin.Ring;
+            length *= ring == fin.Ring ? 1 : ShortBehindDisc;
             SocketBlueprint socket = fin.Place switch
             {
                 FinPlace.Dorsal => new SocketBlueprint(fin.Ring, 31, fin.Rows, 2),
                 FinPlace.Ventral => new SocketBlueprint(fin.Ring, 15, fin.Rows, 2),
-                _ => SocketSizing.Centre(fin.Ring, fin.Segment, fin.Rows, 2),
+                _ => SocketSizing.Centre(ring, fin.Segment, fin.Rows, 2),
             };
 
             // Fins of one species and legs of another may want the same place: the legs were first.
             bool crowded = builder.Legs.Count > 0 && (!builder.Sockets.IsFree(socket, 0) || (fin.Place == FinPlace.Pectoral && IsBesideLeg(builder, socket)));
-            if (!crowded && !(fin.Place == FinPlace.Pectoral && IsOnDisc(builder, fin.Ring)) && builder.Sockets.TryReserve(socket, 0))
+            if (!crowded && builder.Sockets.TryReserve(socket, 0))
             {
                 builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, socket, length, fin.Place == FinPlace.Pectoral ? DepthOf(builder, width, length, fin.Style) : 0, DropOf(builder, fin.Drop), sweep));
             }
