@@ -63,6 +63,12 @@ internal sealed class HeadCoat
     /// <summary>Share of the muzzle's colour on a bare snout.</summary>
     private const float BarePatch = 0.42f;
 
+    // Share of the colour of noses on the tip of a bare snout, the part of it in a dark face, how far down its sides it goes, and over how much it runs out there, radians around the head: between its nostrils a bare snout is a blank plate.
+    private const float TipCover = 0.5f;
+    private const float TipInDark = 0.5f;
+    private const float TipEnd = 1.3f;
+    private const float TipEdge = 0.6f;
+
     // How much lighter and darker the planes of a face are, shares of light, and angle of the eyes from the middle below which there are none between them, radians.
     private const float PlaneLight = 0.85f;
     private const float PlaneShade = 0.62f;
@@ -226,7 +232,8 @@ internal sealed class HeadCoat
 
         if (subject.Snout == SnoutKind.Bare)
         {
-            return Vec.Lerp(colour, muzzleColour, Scalar.Lerp(BarePatch, PalePatch, dark) * patch);
+            float tip = Scalar.Smooth((float)((arc[StationRing.MuzzleFront + 1] - place.Arc) / arc[StationRing.MuzzleFront])) * Scalar.Smooth((TipEnd - place.Around) / TipEdge);
+            return Vec.Lerp(Vec.Lerp(colour, muzzleColour, Scalar.Lerp(BarePatch, PalePatch, dark) * patch), palette.Muzzle, TipCover * Scalar.Lerp(1f, TipInDark, dark) * tip);
         }
 
         colour = Vec.Lerp(colour, muzzleColour, Scalar.Lerp(0.55f, PalePatch, dark) * patch);

@@ -36,6 +36,16 @@ public sealed class HeadCoatTests
     }
 
     [Fact]
+    public void A_bare_snout_has_a_dark_tip_between_its_nostrils()
+    {
+        CoatBlueprint brown = black with { Base = black.Base with { Lightness = 0.6 }, Back = black.Back with { Lightness = 0.5 }, Belly = black.Belly with { Lightness = 0.8 } };
+        CoatSubject subject = Subject(SnoutKind.Bare);
+        subject.EyeRadius = 0f;
+        var painter = new CoatPainter(brown, subject);
+        Assert.True(1.25f * Luminance(painter.At(Address(SurfaceRegion.Body, 1, 2), front + Vector3.UnitY, Vector3.UnitZ)) < Luminance(painter.At(Address(SurfaceRegion.Body, 5, 2), front + Vector3.UnitY, Vector3.UnitZ)));
+    }
+
+    [Fact]
     public void The_beak_of_a_dark_bird_is_seen()
     {
         var painter = new CoatPainter(black, Subject(SnoutKind.Beak));
