@@ -96,7 +96,7 @@ internal static class CoatSampler
         Colouring[] known = builder.Parents.Skin.Colourings;
         RandomStream choice = builder.Stream("colouring");
         CoatBlueprint worn = palette == PaletteMood.Any && known.Length > 0 && choice.Chance(KnownColourings) ? Wear(coat, known[choice.Integer(0, known.Length)], choice) : coat;
-        return RareCoats.Perhaps(Darkened(worn), palette, builder.Stream("rarity"), builder.Fitting);
+        return RareCoats.Perhaps(CoatContrast.On(Darkened(worn), builder.Fitting), palette, builder.Stream("rarity"), builder.Fitting);
     }
 
     /// <summary>A colour in OKLCH with its hue in degrees, of any number of turns.</summary>
