@@ -28,9 +28,9 @@ internal static class HeadSampler
     private const double MixedSink = 0.5;
 
     /// <summary>Greatest depth of the centres of a strange creature's eyes below the skin, in radii: those of horses and cattle are seen neither from the front nor from the side where they are deeper.</summary>
-    private const double DeepestSink = 0.54;
+    private const double DeepestSink = 0.56;
 
-    // On the same: radius of the smallest eyes in half heights of the head, of those on top of it, and the lowest segment that they are at: sharks' and dolphins' are not seen from the front.
+    // On a skull of another body: radius of the smallest eyes in half heights of the head, of those on top of it, and the lowest segment that they are at: sharks' and dolphins' are not seen from the front.
     private const double SmallestEye = 0.36;
     private const double SmallestOnTop = 0.29;
     private const double LowestEye = 5.7;
@@ -272,7 +272,8 @@ internal static class HeadSampler
         radius = Math.Min(radius, LargestEye(builder));
         double mixed = Mixed(builder);
         double onTop = builder.Fitting * Scalar.Clamp(1 + OnTop - species.Eye.Segment, 0, 1);
-        radius = Math.Max(radius * Scalar.Lerp(1, EyesOnTop, onTop), Math.Max(mixed * Scalar.Lerp(SmallestEye, SmallestOnTop, onTop), builder.Fitting * SmallestOwn * (1 - onTop)) * half);
+        double smallest = Math.Max(mixed * Scalar.Lerp(SmallestEye, SmallestOnTop, onTop), builder.Fitting * SmallestOwn * (1 - onTop));
+        radius = Math.Max(radius * Scalar.Lerp(1, EyesOnTop, onTop), smallest * half);
         bool faceted = random.Chance(species.CompoundEyes);
         bool slit = random.Chance(species.SlitPupils);
         bool bar = builder.Stream("bar pupils").Chance(species.BarPupils);
