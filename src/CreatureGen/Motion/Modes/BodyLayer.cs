@@ -36,6 +36,12 @@ internal sealed class BodyLayer
     /// <summary>The same about its own length, left side up.</summary>
     public float BackTwist { get; set; }
 
+    /// <summary>Bend of the front of a body on many pairs of legs up from the ground, with its feet; above 0.</summary>
+    public float FrontPitch { get; set; }
+
+    /// <summary>The same to the left, where it is raised.</summary>
+    public float FrontSide { get; set; }
+
     /// <summary>How far folded wings are spread and raised, 0..1; beyond 1 raised higher. Of wings that are spread, only raised.</summary>
     public float Wings { get; set; }
 
@@ -55,6 +61,7 @@ internal sealed class BodyLayer
         Yaw = Pitch = Roll = 0f;
         ForeDown = HindDown = 0f;
         BackPitch = BackSide = BackTwist = 0f;
+        FrontPitch = FrontSide = 0f;
         Wings = Still = Verve = 0f;
         Array.Clear(Feet, 0, Feet.Length);
     }
@@ -77,6 +84,8 @@ internal sealed class BodyLayer
         BackPitch += other.BackPitch;
         BackSide += other.BackSide;
         BackTwist += other.BackTwist;
+        FrontPitch += other.FrontPitch;
+        FrontSide += other.FrontSide;
         Wings += other.Wings;
         Still = Math.Max(Still, other.Still);
         Verve += other.Verve;
@@ -86,6 +95,7 @@ internal sealed class BodyLayer
             Feet[i].Pitch += other.Feet[i].Pitch;
             Feet[i].Lean += other.Feet[i].Lean;
             Feet[i].Loose = Math.Max(Feet[i].Loose, other.Feet[i].Loose);
+            Feet[i].Carried = Math.Max(Feet[i].Carried, other.Feet[i].Carried);
         }
     }
 
@@ -101,6 +111,8 @@ internal sealed class BodyLayer
         BackPitch = other.BackPitch;
         BackSide = other.BackSide;
         BackTwist = other.BackTwist;
+        FrontPitch = other.FrontPitch;
+        FrontSide = other.FrontSide;
         Still = other.Still;
         Wings = other.Wings;
         Verve = other.Verve;
@@ -122,6 +134,9 @@ internal struct FootLayer
 
     /// <summary>How far it stands no longer: a leg that is folded under the body comes near its place as it can, 0..1.</summary>
     public float Loose;
+
+    /// <summary>How far it has left the ground with the part of the trunk that its leg hangs on, 0..1: it goes along with that.</summary>
+    public float Carried;
 
     /// <summary>Where its ball is to be instead, model space.</summary>
     public Vector3 Aim;

@@ -87,6 +87,15 @@ internal sealed partial class WalkingMode
         for (int i = 0; i < poses.Length; i++)
         {
             ref Foot foot = ref planner.Feet[i];
+            if (layer != null && body.Front.Exists && layer.Feet[i].Loose > 0f && layer.Feet[i].Carried == 0f)
+            {
+                FootPoser.Trail(body.Legs[i], placer.Trunk, Math.Min(layer.Feet[i].Loose, 1f), ref foot, ref poses[i]);
+            }
+
+            if (placer.Trunk.IsRaised && body.Front.Carries(body.Legs[i]))
+            {
+                FootPoser.Carry(body.Legs[i], placer.Trunk, layer!.Feet[i], ref foot, ref poses[i]);
+            }
 
             // Where no time passes nothing rolls: the pose before it may be of another moment.
             foot.Leg.Turned.Stood &= dt > 0f;

@@ -6,6 +6,7 @@ using CreatureGen.Maths;
 using CreatureGen.Motion;
 using CreatureGen.Motion.Acts.Bodies;
 using CreatureGen.Motion.Metrics;
+using CreatureGen.Motion.Walking.Legs;
 using CreatureGen.Rigging;
 using CreatureGen.Sampling;
 using CreatureGen.Tests.Motion.Falling;
@@ -213,6 +214,56 @@ public class LowBodyTests
     [InlineData(24353305UL)]
     [InlineData(24353300UL, Explicit = true)]
     public void Head_and_tail_of_a_centipede_flinch_though_its_feet_hold_its_trunk(ulong seed) => Assert.Equal(1f, Of(BodyPlan.ManyLegged, seed).Acts.Find("Flinch").Gain);
+
+    /// <summary>It raised its head and two feet, and its trunk hardly moved in any act. Joints bend by some sixty degrees at most for it, on short backs by forty.</summary>
+    [Theory]
+    [InlineData(24903001UL, "Threaten", 2)]
+    [InlineData(24903004UL, "Dance", 2, Explicit = true)]
+    [InlineData(24903008UL, "Sniff", 2, Explicit = true)]
+    public void Who_stands_on_many_pairs_of_legs_raises_the_front_of_its_trunk_with_its_feet(ulong seed, string act, int pairs)
+    {
+        CreatureAnimator animator = Performing(Of(BodyPlan.ManyLegged, seed), act, out ActAbility ability);
+        ActBody body = animator.Profile.Acts.Body;
+        int chest = body.Spine[^1];
+        float stood = animator.ModelPose.Positions[chest].Y;
+        float highest = 0f;
+        int aloft = 0;
+        for (int i = 0; i < ability.Seconds * Rate; i++)
+        {
+            animator.Update(1f / Rate, default, FlatGround.Level);
+            highest = Math.Max(highest, (animator.ModelPose.Positions[chest].Y - stood) / body.Unit);
+            int raised = 0;
+            foreach ((int left, int right) in body.FrontPairs)
+            {
+                float lower = Math.Min(animator.ModelPose.Positions[body.Legs!.Legs[left].Ball].Y, animator.ModelPose.Positions[body.Legs.Legs[right].Ball].Y);
+                raised += lower > 0.1f * body.Unit ? 1 : 0;
+            }
+
+            aloft = Math.Max(aloft, raised);
+        }
+
+        Assert.InRange(highest, 0.35f, 5f);
+        Assert.InRange(aloft, pairs, body.Legs!.Rows / 2);
+        Assert.Equal(1f, ability.Gain);
+    }
+
+    /// <summary>It slept as it stood, only lower, with its back straight.</summary>
+    [Theory]
+    [InlineData(24903001UL)]
+    [InlineData(24903006UL, Explicit = true)]
+    public void Who_sleeps_on_many_pairs_of_legs_coils_up_with_its_feet_beside_it(ulong seed)
+    {
+        CreatureAnimator animator = Performing(Of(BodyPlan.ManyLegged, seed), "Sleep", out ActAbility sleep);
+        ActBody body = animator.Profile.Acts.Body;
+        float stood = Vec.Distance(animator.ModelPose.Positions[body.Spine[^1]], animator.ModelPose.Positions[body.Spine[0]]);
+        Walkers.Run(animator, sleep.SecondsToLast, Rate, default, FlatGround.Level);
+        Assert.InRange(Vec.Distance(animator.ModelPose.Positions[body.Spine[^1]], animator.ModelPose.Positions[body.Spine[0]]) / stood, 0.3f, 0.93f);
+        foreach (LegRig leg in body.Legs!.Legs)
+        {
+            Vector3 way = animator.ModelPose.Positions[leg.Ball] - animator.ModelPose.Positions[leg.Hip];
+            Assert.InRange(Vec.Length(way) / leg.Length, 0f, 1.05f);
+        }
+    }
 
     /// <summary>How far the head goes from where it is as the body stands, leg lengths.</summary>
     private static (Vector3 Least, Vector3 Most) WayOfHead(MotionProfile profile, string act)

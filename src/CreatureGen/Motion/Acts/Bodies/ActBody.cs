@@ -58,6 +58,8 @@ internal sealed class ActBody
         {
             ForeFeet = Pair(legs, legs.Rows - 1);
             HindFeet = Pair(legs, 0);
+            int front = legs.Legs.Count(leg => legs.Front.Carries(leg)) / 2;
+            FrontPairs = Enumerable.Range(0, front).Select(behind => Pair(legs, legs.Rows - 1 - behind)).ToArray();
         }
 
         LyingSide = legs != null && Array.Exists(legs.Legs, leg => leg.Row == 0 && leg.Lateral) ? LyingSide.Back : LyingSide.Flank;
@@ -154,6 +156,9 @@ internal sealed class ActBody
 
     /// <summary>Left and right foot of the foremost pair, as indices of legs.</summary>
     public (int Left, int Right) ForeFeet { get; } = (-1, -1);
+
+    /// <summary>The same of all pairs that a body on many raises with its front, foremost first.</summary>
+    public (int Left, int Right)[] FrontPairs { get; } = Array.Empty<(int, int)>();
 
     /// <summary>Left and right foot of the rearmost pair.</summary>
     public (int Left, int Right) HindFeet { get; } = (-1, -1);
@@ -294,6 +299,7 @@ internal sealed class ActBody
         Add(ActNeeds.Abdomen, Legs is { HasAbdomen: true } && Tail.Count > 0);
         Add(ActNeeds.Flanks, Legs != null && LyingSide == LyingSide.Flank);
         Add(ActNeeds.BareFlanks, Legs != null && LyingSide == LyingSide.Flank && !SpreadWings.Of(Subject));
+        Add(ActNeeds.Front, Legs is { Front.Exists: true });
         Add(ActNeeds.Back, Legs != null && LyingSide == LyingSide.Back && !Subject.HasHorns && !SpreadWings.Of(Subject));
         return has;
 

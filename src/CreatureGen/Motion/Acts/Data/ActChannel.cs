@@ -153,6 +153,12 @@ public enum ActChannel
     /// <summary>The body rolled over onto the flank of the act's side, with its legs, or onto its back where these are out to the sides: 0 on its belly, 1 where it comes to rest.</summary>
     OnFlank,
 
+    /// <summary>The front of a body on many pairs of legs bent up off the ground with its feet, while the pairs behind it stand.</summary>
+    FrontUp,
+
+    /// <summary>The raised front of such a body bent to the act's side.</summary>
+    FrontSide,
+
     /// <summary>What the act strikes or eats with, on its way to the target: 0 where the other channels have it, 1 there.</summary>
     Reach,
 }

@@ -50,4 +50,7 @@ public enum ActNeeds
 
     /// <summary>Flanks without wings folded onto them: who has such wings dies on them, and sleeps on its belly.</summary>
     BareFlanks = 8192,
+
+    /// <summary>Five pairs of legs or more, on a trunk that bends: its front can be raised with its feet.</summary>
+    Front = 16384,
 }

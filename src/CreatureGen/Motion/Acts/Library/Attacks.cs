@@ -31,6 +31,7 @@ internal static class Attacks
             new ActPhase("wrench", 3f).To(Pitch, 0.15f).With(new ActWave(NeckSide, 0.25f, 2f)).With(new ActWave(HeadRoll, 0.25f, 2f)).With(new ActWave(Roll, 0.25f, 2f, 0.2f)),
             new ActPhase("recover", 6f).To(Reach, 0f).To(Pitch, 0f).To(HeadPitch, 0f).To(TailPitch, 0f))
             .Needing(ActNeeds.Jaw).With(ActTool.Mouth).For(BodyBuild.Airborne),
+        RaisedFronts.Bite,
         BiteOnLegs(-0.25f, 0.15f, new ActPhase("wrench", 1.5f).With(new ActWave(HeadSide, 0.2f, 1.5f)).With(new ActWave(HeadRoll, 0.35f, 1.5f))).For(BodyBuild.ManyLegged | BodyBuild.Sprawling),
         BiteOnLegs(0.10f, 0f, new ActPhase("wrench", 1.5f).With(new ActWave(BackSide, 0.12f, 1.5f)).With(new ActWave(HeadRoll, 0.25f, 1.5f))).For(BodyBuild.Standing),
         BiteOnLegs(0.10f, 0f, new ActPhase("wrench", 1.5f).With(new ActWave(HeadSide, 0.2f, 1.5f)).With(new ActWave(HeadRoll, 0.35f, 1.5f))).For(BodyBuild.ManyLegged | BodyBuild.Sprawling),
@@ -51,6 +52,7 @@ internal static class Attacks
             new ActPhase("down", 1.3f).To(ForeDown, 0f).To(Yaw, 0f).To(ForeFootUp, 0f).To(ForeFootAhead, 0f).To(ForeFootOut, 0f).To(ForeFootPitch, 0f).To(NeckPitch, 0f).To(NeckSide, 0f).To(TailSide, 0f).To(Jaw, 0f),
             new ActPhase("recover", 1.4f).To(Aside, 0f).To(Ahead, 0f).To(Ears, 0f).To(TailPitch, 0f))
             .Needing(ActNeeds.FourLegs).With(ActTool.ForeFoot).For(BodyBuild.Pawed | BodyBuild.Sprawling).OnTheSpot(),
+        RaisedFronts.Claw,
         new Act("Claw", ActKind.Strike,
             new ActPhase("rear", 1.7f).To(Ahead, -0.06f).To(ForeFeetUp, 0.35f).To(ForeFeetAhead, 0.1f).To(ForeFootUp, 0.25f).To(ForeFootOut, 0.25f).To(ForeFootPitch, 0.6f).To(NeckPitch, 0.3f).To(NeckSide, -0.2f).To(Jaw, 0.35f).To(Ears, 0.8f).To(TailPitch, 0.3f).AtLeast(Seen).Then(ActMark.Commit),
             new ActPhase("strike", 0.5f, ActEase.In).To(Ahead, 0.06f).To(ForeFootPitch, -0.3f).To(NeckPitch, 0f).To(NeckSide, 0.1f).To(Jaw, 0.7f).To(Reach, 0.85f),

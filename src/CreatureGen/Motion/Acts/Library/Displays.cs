@@ -13,6 +13,7 @@ internal static class Displays
             new ActPhase("close", 1f).To(Jaw, 0f).Then(ActMark.SoundEnd),
             new ActPhase("recover", 2.4f).To(NeckPitch, 0f).To(HeadPitch, 0f))
             .Needing(ActNeeds.Jaw).For(BodyBuild.Legless),
+        RaisedFronts.Call,
         new Act("Call", ActKind.Display,
             new ActPhase("breath", 2.0f).To(Ahead, -0.14f).To(NeckPitch, -0.3f).To(HeadPitch, -0.2f).To(BackPitch, 0.12f).To(ForeDown, 0.08f).To(HindDown, 0.1f).To(TailPitch, -0.1f).AtLeast(0.2f).Then(ActMark.SoundBegin),
             new ActPhase("burst", 0.8f, ActEase.Over).To(Ahead, 0.12f).To(ForeDown, -0.04f).To(HindDown, 0.02f).To(NeckPitch, 0.35f).To(HeadPitch, 0.25f).To(Jaw, 1f).To(Ears, 0.6f).To(Lids, 0.3f).To(TailPitch, 0.4f).To(Wings, 0.4f).To(ArmsOut, 0.4f),
@@ -30,6 +31,7 @@ internal static class Displays
             new ActPhase("show", 6f).To(Jaw, 0.8f).With(new ActWave(Wings, 0.25f, 6f)).With(new ActWave(Roll, 0.15f, 2f)),
             new ActPhase("back", 2.4f).To(Wings, 0f).To(Yaw, 0f).To(BackSide, 0f).To(Jaw, 0f))
             .For(BodyBuild.Swimming | BodyBuild.Airborne),
+        RaisedFronts.Threaten,
         new Act("Threaten", ActKind.Display,
             new ActPhase("gather", 1.4f).To(HindDown, 0.12f).To(Ahead, -0.05f).To(Ears, 0.9f),
             new ActPhase("rear", 1.8f, ActEase.Smooth).To(HindDown, 0.2f).To(Pitch, 0.4f).To(ForeFeetUp, 0.3f).To(ForeFeetAhead, 0.3f).To(ForeFeetOut, 0.15f).To(NeckPitch, 0.2f).To(Jaw, 0.8f).To(TailPitch, 0.5f).To(Wings, 0.8f).To(ArmsOut, 0.6f).To(ArmsAhead, 0.6f).To(ArmsBend, 0.5f),
@@ -58,6 +60,7 @@ internal static class Displays
             new ActPhase("set down", 0.7f).To(ForeFootUp, 0f).To(ForeFootAhead, 0f),
             new ActPhase("recover", 2.2f).To(Aside, 0f).To(Ahead, 0f).To(ForeDown, 0f).To(HindDown, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(Jaw, 0f).To(Ears, 0f).To(TailPitch, 0f).To(Lids, 0f).To(Wings, 0f))
             .Needing(ActNeeds.FourLegs).For(BodyBuild.Pawed | BodyBuild.Hoofed | BodyBuild.Columnar).OnTheSpot(),
+        RaisedFronts.Submit,
         new Act("Submit", ActKind.Display,
             new ActPhase("cower", 1.4f).To(HindDown, 0.3f).To(ForeDown, 0.3f).To(Ahead, -0.06f).To(BackPitch, -0.2f).To(HeadPitch, -0.3f).To(Ears, 1f).To(ArmsBend, 0.8f).To(TailPitch, -0.3f),
             new ActPhase("bow", 2f).To(HindDown, 0.62f).To(ForeDown, 0.62f).To(Pitch, -0.5f).To(BackPitch, -0.6f).To(NeckPitch, -0.6f).To(HeadPitch, -0.35f).To(HeadSide, 0.25f).To(HeadRoll, 0.2f).To(Lids, 0.5f).To(TailPitch, -0.7f).To(TailCurl, -0.4f).To(Wings, -0.4f).To(ArmsAhead, 0.6f).To(ArmsOut, -0.2f).To(ArmsBend, 1.5f),
@@ -97,11 +100,13 @@ internal static class Displays
             new ActPhase("stay", 7f).With(new ActWave(Up, 0.006f, 12f)).With(new ActWave(HeadSide, 0.08f, 1f)),
             new ActPhase("straighten", 2.4f).To(Ahead, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(HeadRoll, 0f).To(Ears, 0f).To(Lids, 0f).To(TailPitch, 0f).To(TailCurl, 0f).To(Wings, 0f).To(BackPitch, 0f))
             .Needing(ActNeeds.Head).For(BodyBuild.Airborne).OnTheSpot(),
+        RaisedFronts.Dance,
         Dances.OfFourLegs,
         Dances.OfLegs,
         Dances.OfFliers,
         Dances.OfSwimmers,
         Dances.OfCrawlers,
+        RaisedFronts.Flinch,
         Flinches.OfManyLegs,
         Flinches.OfTwoLegs,
         Flinches.OfSwimmers,

@@ -34,8 +34,8 @@ internal static class Flinches
 
     /// <summary>A crawler draws its head up and back over its coils, away from what startled it: laid along the ground it could not strike.</summary>
     public static readonly Act OfCrawlers = Of(
-        new ActPhase("start", 0.6f, ActEase.Out).To(NeckPitch, 0.8f).To(HeadPitch, -0.6f).To(NeckSide, -0.5f).To(HeadSide, -0.2f).To(HeadRoll, -0.2f).To(Lids, 1f).To(Ears, 1f).To(TailSide, 0.6f).To(Jaw, 0.35f),
-        new ActPhase("freeze", 1.8f).To(NeckPitch, 0.65f).To(NeckSide, -0.35f).To(HeadSide, 0.15f).To(HeadRoll, 0f).To(Lids, -0.2f).To(Jaw, 0f).With(new ActWave(NeckSide, 0.03f, 6f)))
+        new ActPhase("start", 0.6f, ActEase.Out).To(NeckPitch, 0.95f).To(HeadPitch, -0.7f).To(NeckSide, -0.9f).To(HeadSide, -0.2f).To(HeadRoll, -0.2f).To(Lids, 1f).To(Ears, 1f).To(TailSide, 1f).To(Jaw, 0.35f),
+        new ActPhase("freeze", 2.4f).To(NeckPitch, 0.8f).To(NeckSide, -0.6f).To(HeadSide, 0.45f).To(HeadRoll, 0f).To(Lids, -0.2f).To(Jaw, 0f).With(new ActWave(NeckSide, 0.03f, 6f)))
         .For(BodyBuild.Legless);
 
     public static readonly Act OfOthers = Of(
@@ -43,9 +43,9 @@ internal static class Flinches
         new ActPhase("freeze", 1.6f).To(Lids, -0.2f).To(HeadSide, 0.1f).With(new ActWave(Up, 0.006f, 6f)));
 
     /// <summary>All that started, and eases again.</summary>
-    private static Act Of(params ActPhase[] started)
+    internal static Act Of(params ActPhase[] started)
     {
-        ActPhase ease = new ActPhase("ease", 2.6f).To(Ahead, 0f).To(Up, 0f).To(Pitch, 0f).To(Yaw, 0f).To(Roll, 0f).To(BackPitch, 0f).To(Jaw, 0f).To(TailSide, 0f).To(ForeDown, 0f).To(HindDown, 0f).To(BackSide, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(NeckSide, 0f).To(HeadSide, 0f).To(HeadRoll, 0f)
+        ActPhase ease = new ActPhase("ease", 2.6f).To(FrontUp, 0f).To(FrontSide, 0f).To(ForeFeetUp, 0f).To(ForeFeetOut, 0f).To(Ahead, 0f).To(Up, 0f).To(Pitch, 0f).To(Yaw, 0f).To(Roll, 0f).To(BackPitch, 0f).To(Jaw, 0f).To(TailSide, 0f).To(ForeDown, 0f).To(HindDown, 0f).To(BackSide, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(NeckSide, 0f).To(HeadSide, 0f).To(HeadRoll, 0f)
             .To(Lids, 0f).To(Ears, 0f).To(TailPitch, 0f).To(TailCurl, 0f).To(ArmsBend, 0f).To(ArmsAhead, 0f).To(Wings, 0f);
         return new Act("Flinch", ActKind.Reflex, [.. started, ease]);
     }

@@ -22,8 +22,29 @@ internal static class Postures
     // Low on the ground: the chin is laid on it.
     private static readonly ActPhase[] sleepOnChin = SleepBy(new ActPhase("nod", 3.5f).To(NeckPitch, -0.9f).To(HeadPitch, 1f).To(NeckSide, 0.35f).To(HeadSide, 0.1f).To(TailSide, 0.5f));
 
+    // The same with the legs out beside it: bent round, head and tail to the same side.
+    private static readonly ActPhase[] sleepRound = SleepBy(new ActPhase("curl up", 3.5f).To(BackSide, 0.4f).To(Yaw, -0.15f).To(NeckPitch, -0.9f).To(NeckSide, 0.8f).To(HeadPitch, 0.8f).To(HeadSide, 0.3f).To(TailSide, 1.2f));
+
     // Curled up on the belly: head and tail round to a flank.
     private static readonly ActPhase[] sleepCurled = SleepBy(new ActPhase("curl up", 3.5f).To(BackSide, 0.25f).To(NeckPitch, -0.7f).To(NeckSide, 1.3f).To(HeadPitch, 0.2f).To(HeadSide, 0.5f).To(TailSide, 1f));
+
+    // On many legs: bent round to a side until the head lies by the tail.
+    private static readonly ActPhase[] sleepCoiled =
+    {
+        new ActPhase("bend", 4f).To(Yaw, -0.5f).To(BackSide, 1.1f).To(NeckSide, 0.5f).To(NeckPitch, -0.4f).To(TailSide, 0.6f).To(Lids, 0.5f),
+        new ActPhase("coil up", 4f).To(Yaw, -1f).To(BackSide, 2.2f).To(NeckSide, 1f).To(NeckPitch, -0.8f).To(HeadPitch, 0.6f).To(HeadSide, 0.4f).To(TailSide, 1.2f).To(Lids, 1f).To(Ears, 0.35f),
+        new ActPhase("sleep", 14f).Lasting().With(new ActWave(BackSide, 0.02f, 2.5f)),
+        new ActPhase("wake", 1.6f).To(Lids, 0.2f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(Ears, -0.3f),
+        new ActPhase("uncoil", 4f).To(Yaw, 0f).To(BackSide, 0f).To(NeckSide, 0f).To(HeadSide, 0f).To(TailSide, 0f),
+    };
+
+    // The same at rest: bent, the front a little off the ground, it looks about.
+    private static readonly ActPhase[] lieInBend =
+    {
+        new ActPhase("bend", 3f).To(Yaw, -0.35f).To(BackSide, 0.9f).To(TailSide, 0.8f).To(FrontUp, 0.15f).To(FrontSide, -0.3f),
+        new ActPhase("lie", 10f).To(FrontUp, 0.22f).To(Lids, 0.1f).Lasting().With(new ActWave(FrontSide, 0.15f, 1f)).With(new ActWave(NeckSide, 0.3f, 1f, 0.1f)).With(new ActWave(Ears, 0.3f, 2f)).With(new ActWave(TailSide, 0.25f, 1f)),
+        new ActPhase("straighten", 3f).To(FrontUp, 0f).To(FrontSide, 0f).To(Yaw, 0f).To(BackSide, 0f).To(TailSide, 0f),
+    };
 
     // On two legs, as birds do: the head turned away and laid on a shoulder.
     private static readonly ActPhase[] sleepTucked = SleepBy(new ActPhase("tuck", 3.5f).To(NeckPitch, -0.5f).To(NeckSide, 1.4f).To(HeadPitch, -0.45f).To(HeadSide, 0.5f).To(TailSide, 0.3f));
@@ -65,6 +86,7 @@ internal static class Postures
         Lying("Lie", GettingDownOnHooves(lie)).For(BodyBuild.Hoofed | BodyBuild.Columnar),
         Lying("Lie", GettingDownSideways(recline)).Needing(ActNeeds.Legs | ActNeeds.Flanks).For(BodyBuild.Upright),
         Lying("Lie", GettingDownUpright(propped)).For(BodyBuild.Upright),
+        Lying("Lie", GettingDown(lieInBend)).Needing(ActNeeds.Legs | ActNeeds.Front).For(BodyBuild.ManyLegged),
         Lying("Lie", GettingDown(lie)).For(BodyBuild.Standing),
         Lying("Sleep", GettingDownOnPaws(sleepOnFlank)).Needing(ActNeeds.FourLegs | ActNeeds.BareFlanks).For(BodyBuild.Pawed),
         Lying("Sleep", GettingDownOnHooves(sleepOnFlank)).Needing(ActNeeds.FourLegs | ActNeeds.BareFlanks).For(BodyBuild.Hoofed | BodyBuild.Columnar),
@@ -73,6 +95,8 @@ internal static class Postures
         Lying("Sleep", GettingDownSideways(sleepOnSide)).Needing(ActNeeds.Legs | ActNeeds.Flanks).For(BodyBuild.Upright),
         Lying("Sleep", GettingDownUpright(sleep)).For(BodyBuild.Upright),
         Lying("Sleep", GettingDown(sleepTucked)).For(BodyBuild.TwoLegged),
+        Lying("Sleep", GettingDown(sleepCoiled)).Needing(ActNeeds.Legs | ActNeeds.Front).For(BodyBuild.ManyLegged),
+        Lying("Sleep", GettingDown(sleepRound)).For(BodyBuild.Sprawling),
         Lying("Sleep", GettingDown(sleepOnChin)).For(BodyBuild.Standing),
         new Act("Sleep", ActKind.Posture,
             new ActPhase("nod", 4f).To(ForeDown, 1f).To(NeckSide, 0.4f).To(Lids, 1f),
@@ -142,6 +166,17 @@ internal static class Postures
             new ActPhase("rise", 2.2f).To(ForeDown, 0f).To(HindDown, 0f).To(ForeFold, 0f).To(HindFold, 0f).To(NeckPitch, 0f).To(Lids, 0f).To(Jaw, 0f).To(Ears, 0f))
             .Needing(ActNeeds.FourLegs | ActNeeds.Back).For(BodyBuild.Sprawling | BodyBuild.ManyLegged).OnTheSpot(),
         Dying(
+            new ActPhase("rear", 1.4f).To(FrontUp, 0.5f).To(FrontSide, -0.3f).To(ForeFeetUp, 0.15f).To(NeckPitch, 0.3f).To(Lids, 0.5f).To(Jaw, 0.5f).To(Ears, 0.8f).To(TailPitch, 0.3f),
+            new ActPhase("give way", 1.4f, ActEase.In).To(FrontUp, 0f).To(FrontSide, 0f).To(ForeFeetUp, 0f).To(ForeDown, 0.9f).To(ForeFold, 0.9f).To(HindDown, 0.8f).To(HindFold, 0.8f).To(NeckPitch, -0.2f).To(TailPitch, 0f),
+            new ActPhase("writhe", 2f).To(ForeDown, 1f).To(HindDown, 1f).To(ForeFold, 1f).To(HindFold, 1f).To(Yaw, 0.4f).To(BackSide, -0.8f).To(NeckSide, -0.5f).To(TailSide, -0.8f),
+            new ActPhase("writhe back", 2.4f).To(Yaw, -0.7f).To(BackSide, 1.4f).To(NeckSide, 0.7f).To(NeckPitch, -0.9f).To(HeadPitch, 0.6f).To(HeadRoll, 0.5f).To(HeadSide, 0.3f).To(TailSide, 1f),
+            new ActPhase("slacken", 2.4f, ActEase.Out).To(Yaw, -0.5f).To(BackSide, 1.1f).To(Roll, 0.12f).To(TailPitch, -1f).To(ForeFeetOut, 0.15f).To(ForeFootAhead, 0.25f).To(HindFeetAhead, -0.3f).To(Lids, 0.8f).To(Jaw, 0.15f).To(Wings, 0.2f),
+            new ActPhase("still", 5f).Lasting(),
+            new ActPhase("gather", 3f).To(ForeFeetOut, 0f).To(ForeFootAhead, 0f).To(HindFeetAhead, 0f).To(Yaw, 0f).To(BackSide, 0f).To(Roll, 0f).To(NeckPitch, -0.1f).To(NeckSide, 0f).To(HeadPitch, 0f).To(HeadRoll, 0f).To(HeadSide, 0f).To(TailSide, 0f).To(Wings, 0f),
+            new ActPhase("lift", 1.8f).To(ForeDown, 0.5f).To(HindDown, 0.5f).To(ForeFold, 0.4f).To(HindFold, 0.4f),
+            new ActPhase("rise", 2.2f).To(ForeDown, 0f).To(HindDown, 0f).To(ForeFold, 0f).To(HindFold, 0f).To(NeckPitch, 0f).To(Lids, 0f).To(Jaw, 0f).To(Ears, 0f).To(TailPitch, 0f))
+            .Needing(ActNeeds.FourLegs | ActNeeds.Front).For(BodyBuild.ManyLegged).OnTheSpot(),
+        Dying(
             new ActPhase("stagger", 1.4f).To(NeckPitch, 0.35f).To(NeckSide, -0.3f).To(Lids, 0.5f).To(Jaw, 0.5f).To(Ears, 0.8f).To(TailPitch, 0.2f),
             new ActPhase("give way", 1.1f, ActEase.In).To(ForeDown, 0.52f).To(ForeFold, 0.55f).To(HindDown, 0.46f).To(HindFold, 0.4f).To(NeckPitch, 0.2f).To(NeckSide, 0f).To(TailPitch, 0f),
             new ActPhase("drop", 1.2f, ActEase.In).To(ForeDown, 1f).To(HindDown, 1f).To(ForeFold, 1f).To(HindFold, 1f).To(NeckPitch, -0.5f).To(TailPitch, -0.3f),
@@ -199,7 +234,7 @@ internal static class Postures
     {
         nod.To(Lids, 1f).To(Ears, 0.35f),
         new ActPhase("sleep", 14f).Lasting().With(new ActWave(Up, 0.006f, 2.5f)),
-        new ActPhase("wake", 2.4f).To(Lids, 0f).To(BackSide, 0f).To(NeckPitch, 0.1f).To(HeadPitch, 0f).To(NeckSide, 0f).To(HeadSide, 0f).To(Ears, -0.3f).To(TailSide, 0f),
+        new ActPhase("wake", 2.4f).To(Lids, 0f).To(BackSide, 0f).To(Yaw, 0f).To(NeckPitch, 0.1f).To(HeadPitch, 0f).To(NeckSide, 0f).To(HeadSide, 0f).To(Ears, -0.3f).To(TailSide, 0f),
     };
 
     private static Act Dying(params ActPhase[] phases) => new Act("Die", ActKind.Posture, phases).FallingFromAir();

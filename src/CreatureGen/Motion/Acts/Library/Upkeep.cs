@@ -16,6 +16,14 @@ internal static class Upkeep
             new ActPhase("down", 2.4f).To(ArmsAhead, 0f).To(ArmsBend, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f))
             .Needing(ActNeeds.Jaw | ActNeeds.Arms).For(BodyBuild.Upright),
         new Act("Eat", ActKind.Upkeep,
+            new ActPhase("stoop", 2.4f).To(ForeDown, 0.75f).To(Reach, 0.85f).To(Jaw, 0.8f).To(TailSide, 0.3f),
+            new ActPhase("bite", 0.6f).To(Reach, 1f).To(Jaw, 0.2f).Then(ActMark.Contact),
+            new ActPhase("tear", 1.4f).To(Reach, 0.8f).With(new ActWave(NeckSide, 0.3f, 1.5f)).With(new ActWave(HeadRoll, 0.35f, 1.5f, 0.1f)),
+            new ActPhase("raise", 2.2f).To(Reach, 0f).To(ForeDown, 0f).To(NeckPitch, 0.9f).To(HeadPitch, 0.35f).To(Jaw, 0.5f),
+            new ActPhase("gulp", 7f).To(NeckPitch, 0.75f).To(Jaw, 0.1f).With(new ActWave(Jaw, 0.3f, 4f, 0.25f)).With(new ActWave(HeadPitch, 0.2f, 4f)).With(new ActWave(NeckPitch, 0.16f, 4f, 0.15f)).With(new ActWave(NeckSide, 0.2f, 2f)).With(new ActWave(TailSide, 0.3f, 2f, 0.3f)),
+            new ActPhase("down", 3f).To(Jaw, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(TailSide, 0f))
+            .Needing(ActNeeds.Jaw).With(ActTool.Mouth, 0.62f).For(BodyBuild.Legless),
+        new Act("Eat", ActKind.Upkeep,
             new ActPhase("rise", 2f).To(NeckPitch, 0.5f).To(HeadPitch, -0.4f),
             new ActPhase("take", 1f).To(Reach, 1f).To(Jaw, 0.8f),
             new ActPhase("bite", 0.5f).To(Jaw, 0.3f).Then(ActMark.Contact),
@@ -35,6 +43,7 @@ internal static class Upkeep
             new ActPhase("chew", 5f).To(Reach, 0.5f).With(new ActWave(Jaw, 0.25f, 4f, 0.25f)),
             new ActPhase("back", 3f).To(Reach, 0f))
             .Needing(ActNeeds.Jaw).With(ActTool.Mouth).For(BodyBuild.Airborne),
+        RaisedFronts.Eat,
         new Act("Eat", ActKind.Upkeep,
             new ActPhase("down", 3.2f).To(Reach, 0.92f).To(Jaw, 0.45f).To(Ears, -0.2f).To(TailPitch, 0.12f),
             new ActPhase("bite", 0.8f).To(Reach, 1f).To(Jaw, 0f).Then(ActMark.Contact),
@@ -82,6 +91,7 @@ internal static class Upkeep
             new ActPhase("scent", 2.4f).To(Reach, 0f).To(Pitch, 0.12f).To(BackPitch, 0.08f).To(NeckPitch, 0.2f).To(HeadPitch, 0.2f).With(new ActWave(HeadSide, 0.15f, 1f)),
             new ActPhase("back", 2.4f).To(Pitch, 0f).To(BackPitch, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(Wings, 0f))
             .Needing(ActNeeds.Head).With(ActTool.Mouth, 0.4f).For(BodyBuild.Swimming),
+        RaisedFronts.Sniff,
         new Act("Sniff", ActKind.Upkeep,
             new ActPhase("rise", 1.6f).To(ForeDown, -0.09f).To(NeckPitch, 0.55f).To(HeadPitch, 0.2f).To(BackSide, 0.08f).To(NeckSide, 0.4f).To(TailPitch, 0.2f).To(TailSide, -0.3f),
             new ActPhase("towards", 2.2f).To(ForeDown, 0.08f).To(Ahead, 0.10f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(BackSide, 0f).To(NeckSide, 0f).To(Reach, 1f).To(Ears, -0.7f).To(TailSide, 0f).Then(ActMark.Contact),
@@ -102,6 +112,7 @@ internal static class Upkeep
             new ActPhase("scent", 2.4f).To(HeadSide, -0.15f).With(new ActWave(HeadPitch, 0.08f, 5f)).With(new ActWave(Jaw, 0.05f, 5f)),
             new ActPhase("back", 2f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(HeadSide, 0f).To(Ears, 0f).To(TailPitch, 0f))
             .Needing(ActNeeds.Head).With(ActTool.Mouth, 0.4f),
+        RaisedFronts.Shake,
         new Act("Shake", ActKind.Upkeep,
             new ActPhase("crouch", 1.2f).To(ForeDown, 0.2f).To(HindDown, 0.2f).To(NeckPitch, -0.3f).To(TailPitch, 0.35f).To(Ears, 0.3f).To(Lids, 1f),
             new ActPhase("shake", 7f).To(ForeDown, 0f).To(HindDown, 0f)
@@ -148,6 +159,7 @@ internal static class Upkeep
             new ActPhase("behind an ear", 5f).To(ArmAhead, 0.35f).To(ArmOut, 0.35f).To(NeckSide, 0.3f).To(HeadRoll, 0.4f).To(HeadSide, 0.3f).With(new ActWave(ArmBend, 0.3f, 7f)).With(new ActWave(ArmAhead, 0.1f, 7f, 0.2f)),
             new ActPhase("lower", 2f).To(ArmsAhead, 0f).To(ArmsOut, 0f).To(ArmsBend, 0f).To(ArmAhead, 0f).To(ArmOut, 0f).To(NeckPitch, 0f).To(NeckSide, 0f).To(HeadPitch, 0f).To(HeadRoll, 0f).To(HeadSide, 0f).To(Lids, 0f).To(ForeDown, 0f))
             .Needing(ActNeeds.Head | ActNeeds.Arms).For(BodyBuild.Standing),
+        RaisedFronts.Groom,
         new Act("Groom", ActKind.Upkeep,
             new ActPhase("raise", 1.6f).To(Ahead, -0.06f).To(NeckPitch, -0.25f).To(HeadPitch, -0.3f).To(ForeFeetUp, 0.26f).To(ForeFeetAhead, 0.12f).To(ForeFeetOut, -0.22f).To(Ears, 0.4f),
             new ActPhase("rub", 8f).With(new ActWave(ForeFootAhead, 0.08f, 7f)).With(new ActWave(ForeFeetUp, 0.05f, 3.5f)).With(new ActWave(NeckSide, 0.3f, 2f)).With(new ActWave(HeadSide, 0.3f, 2f, 0.1f)).With(new ActWave(HeadRoll, 0.25f, 2f, 0.2f)).With(new ActWave(HeadPitch, 0.1f, 4f)).With(new ActWave(Ears, 0.35f, 4f)),

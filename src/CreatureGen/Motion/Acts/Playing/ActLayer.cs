@@ -45,6 +45,10 @@ internal sealed class ActLayer
     /// <summary>How far out from their hips feet of a body on its back stay, parts of the leg.</summary>
     private const float Outside = 0.2f;
 
+    /// <summary>How far a raised front is bent up when its feet are off the ground, radians, and how much less each pair behind the foremost does than that, parts.</summary>
+    private const float FrontOff = 0.06f;
+    private const float BackShare = 0.3f;
+
     private readonly ActBody body;
     private readonly FoldedLegs folded;
 
@@ -103,8 +107,19 @@ internal sealed class ActLayer
         Trunk.BackSide = side * values[(int)ActChannel.BackSide];
         Trunk.BackTwist = side * values[(int)ActChannel.BackTwist];
         Array.Clear(Trunk.Feet, 0, Trunk.Feet.Length);
-        Lift(body.ForeFeet, side < 0f, values, ActChannel.ForeFeetUp, ActChannel.ForeFootUp);
-        Lift(body.HindFeet, side < 0f, values, ActChannel.HindFeetUp, ActChannel.HindFootUp);
+        float front = body.Legs.Front.Exists ? Math.Max(values[(int)ActChannel.FrontUp], 0f) : 0f;
+        Trunk.FrontPitch = front;
+        Trunk.FrontSide = side * values[(int)ActChannel.FrontSide] * Scalar.Smooth(front / FrontOff);
+        if (front > 0f)
+        {
+            CarryFront(front, side < 0f, values);
+        }
+        else
+        {
+            Lift(body.ForeFeet, side < 0f, values, ActChannel.ForeFeetUp, ActChannel.ForeFootUp, 1f);
+        }
+
+        Lift(body.HindFeet, side < 0f, values, ActChannel.HindFeetUp, ActChannel.HindFootUp, 1f);
         Loose = 1f;
         for (int leg = 0; leg < Trunk.Feet.Length; leg++)
         {
@@ -293,8 +308,20 @@ internal sealed class ActLayer
         }
     }
 
+    /// <summary>Has all feet of a raised front go along with it: those behind the foremost pair do what that does, by turns the left and the right one, and the farther back the less.</summary>
+    private void CarryFront(float front, bool mirrored, float[] values)
+    {
+        float carried = Scalar.Smooth(front / FrontOff);
+        for (int i = 0; i < body.FrontPairs.Length; i++)
+        {
+            (int left, int right) = body.FrontPairs[i];
+            Trunk.Feet[left].Carried = Trunk.Feet[right].Carried = carried;
+            Lift(body.FrontPairs[i], mirrored != ((i & 1) == 1), values, ActChannel.ForeFeetUp, ActChannel.ForeFootUp, i == 0 ? 1f : carried / (1f + (BackShare * i)));
+        }
+    }
+
     /// <summary>Adds what is asked of a pair of feet; its channels are next to one another.</summary>
-    private void Lift((int Left, int Right) pair, bool mirrored, float[] values, ActChannel both, ActChannel one)
+    private void Lift((int Left, int Right) pair, bool mirrored, float[] values, ActChannel both, ActChannel one, float share)
     {
         Add(pair.Left, mirrored ? 0f : 1f, 1f);
         Add(pair.Right, mirrored ? 1f : 0f, -1f);
@@ -307,8 +334,8 @@ internal sealed class ActLayer
                 float up = values[(int)both] + (fraction * values[(int)one]);
                 float ahead = values[(int)both + 1] + (fraction * values[(int)one + 1]);
                 float aside = values[(int)both + 2] + (fraction * values[(int)one + 2]);
-                Trunk.Feet[foot].Way += new Vector3(outward * aside, Math.Max(up, 0f), ahead) * leg.Length;
-                Trunk.Feet[foot].Pitch += values[(int)both + 3] + (fraction * values[(int)one + 3]);
+                Trunk.Feet[foot].Way += new Vector3(outward * aside, Math.Max(up, 0f), ahead) * (share * leg.Length);
+                Trunk.Feet[foot].Pitch += share * (values[(int)both + 3] + (fraction * values[(int)one + 3]));
             }
         }
     }

@@ -115,7 +115,7 @@ internal sealed class ActStage
     public float SlipOf(int foot)
     {
         ref readonly FootLayer asked = ref performer.Trunk!.Feet[foot];
-        if (asked.Way.Y > 0f || asked.AimFraction > 0f || asked.Loose > 0f)
+        if (asked.Way.Y > 0f || asked.AimFraction > 0f || asked.Loose > 0f || asked.Carried > 0f)
         {
             return 0f;
         }

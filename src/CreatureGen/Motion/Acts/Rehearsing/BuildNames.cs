@@ -41,6 +41,7 @@ internal static class BuildNames
             (ActNeeds.Flanks, "flanks to lie on above its legs"),
             (ActNeeds.Back, "back to lie on between legs out to the sides"),
             (ActNeeds.BareFlanks, "flanks free of wings"),
+            (ActNeeds.Front, "front to raise before three pairs of legs that stand"),
         };
         return string.Join(" and no ", names.Where(name => (parts & name.Part) != 0).Select(name => name.Name));
     }

@@ -110,6 +110,7 @@ internal sealed class LeggedBody
         MaxRoll = IsBiped ? 0f : MaxRollOf(Legs);
         MaxSway = MaxSwayOf(Legs);
         Bends = new TrunkBends(Skeleton, Trunk, ForeSlot);
+        Front = TrunkFront.Of(Legs, Rows, ForeSlot);
         Turns = new RestRotations(Skeleton);
         TrunkRest = Array.ConvertAll(Trunk, joint => Skeleton.ModelPositions[joint]);
         Hops = Rows == 1 && subject.Plan == BodyPlan.Upright && LongFeet() && TailLength() > 0.8f * LegLength;
@@ -155,6 +156,9 @@ internal sealed class LeggedBody
 
     /// <summary>How far the trunk bends.</summary>
     public TrunkBends Bends { get; }
+
+    /// <summary>What of it acts raise with its feet.</summary>
+    public TrunkFront Front { get; }
 
     /// <summary>How far it rolls with the ground to a side, radians: less on hips that do not draw their legs in far, and not at all on two legs.</summary>
     public float MaxRoll { get; }

@@ -6,6 +6,7 @@ using CreatureGen.Motion.Modes;
 using CreatureGen.Motion.Toolkit.Steps;
 using CreatureGen.Motion.Walking.Footsteps;
 using CreatureGen.Motion.Walking.Legs;
+using CreatureGen.Motion.Walking.Trunk;
 
 namespace CreatureGen.Motion.Walking.Poses;
 
@@ -108,8 +109,8 @@ internal static class FootPoser
         Vector3 way = Vec.Lerp(layer.Way, layer.Aim - pose.Ball, layer.AimFraction);
         float raised = Scalar.Smooth(Math.Max(way.Y / leg.Length, layer.AimFraction) / TakenHeight);
         float loose = Scalar.Smooth(layer.Loose / TakenHeight);
-        foot.Path.Taken = Math.Max(raised, loose);
-        foot.Path.Aloft = raised * (1f - loose);
+        foot.Path.Taken = Math.Max(Math.Max(raised, loose), layer.Carried);
+        foot.Path.Aloft = Math.Max(raised, layer.Carried) * (1f - loose);
         foot.Path.Lean = layer.Lean;
         pose.Ball += way;
         if (layer.Pitch != 0f)
@@ -121,5 +122,35 @@ internal static class FootPoser
         }
 
         pose.Target = leg.Traits.Linkage == LegLinkage.Pantograph ? pose.Ball : pose.Ball - Rotation.Rotate(pose.Foot, leg.Metatarsus);
+    }
+
+    /// <summary>Takes a foot of a folded leg along the ground with the trunk that is bent to a side over it, by as much as it stands no longer.</summary>
+    public static void Trail(LegRig leg, TrunkChain trunk, float loose, ref Foot foot, ref FootPose pose)
+    {
+        int slot = leg.TrunkSlot;
+        Vector3 ahead = Rotation.Rotate(trunk.Turns[slot], Vector3.UnitZ);
+        Quaternion turn = AxisRotation.YawPitchRoll(FastTrigonometry.Of(ahead.X, ahead.Z) * loose, 0f, 0f);
+        Vector3 at = Vec.Lerp(trunk.Rest[slot], trunk.Positions[slot], loose) + Rotation.Rotate(turn, pose.Target - trunk.Rest[slot]);
+        pose.MoveBy((at - pose.Target) with { Y = 0f });
+        pose.Foot = Rotation.Multiply(turn, pose.Foot);
+        pose.Toes = Rotation.Multiply(turn, pose.Toes);
+        foot.Path.Heading = Rotation.Multiply(turn, foot.Path.Heading);
+    }
+
+    /// <summary>Takes a foot along with the raised front of the trunk that its leg hangs on.</summary>
+    public static void Carry(LegRig leg, TrunkChain trunk, in FootLayer layer, ref Foot foot, ref FootPose pose)
+    {
+        // What it is aimed at stays where it is.
+        Vector3 aimed = (layer.Aim - trunk.Carry(leg.TrunkSlot, layer.Aim, out Quaternion turn)) * layer.AimFraction;
+        float stood = pose.Ball.Y;
+        pose.Ball = trunk.Carry(leg.TrunkSlot, pose.Ball, out _) + aimed;
+        pose.Target = trunk.Carry(leg.TrunkSlot, pose.Target, out _) + aimed;
+
+        // One that is behind the joint about which the front is raised would go down.
+        pose.MoveBy(new Vector3(0f, Math.Max(0f, stood - pose.Ball.Y) * (1f - layer.AimFraction), 0f));
+        pose.Foot = Rotation.Multiply(turn, pose.Foot);
+        pose.Toes = Rotation.Multiply(turn, pose.Toes);
+        foot.Path.Heading = Rotation.Multiply(turn, foot.Path.Heading);
+        foot.Path.Normal = Rotation.Rotate(turn, foot.Path.Normal);
     }
 }

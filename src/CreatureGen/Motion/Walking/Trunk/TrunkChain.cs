@@ -50,12 +50,16 @@ internal sealed class TrunkChain
     private readonly Vector3[] bent;
     private readonly Quaternion[] bends;
 
+    /// <summary>Turns and places as if the front were not raised; none of bodies that raise none.</summary>
+    private readonly (Quaternion Turn, Vector3 Position)[] lowered;
+
     public TrunkChain(LeggedBody body)
     {
         int count = body.Trunk.Length;
         this.body = body;
         bent = new Vector3[count];
         bends = new Quaternion[count];
+        lowered = new (Quaternion, Vector3)[body.Front.Exists ? count : 0];
         Turns = new Quaternion[count];
         Positions = new Vector3[count];
     }
@@ -72,6 +76,12 @@ internal sealed class TrunkChain
 
     /// <summary>The further turn of the last joint.</summary>
     public Quaternion ChestTurn { get; private set; } = Quaternion.Identity;
+
+    /// <summary>The further turn of each joint of the front that an act raises.</summary>
+    private Quaternion FrontTurn { get; set; } = Quaternion.Identity;
+
+    /// <summary>Whether an act raises the front.</summary>
+    public bool IsRaised { get; private set; }
 
     /// <summary>Asks memory for the joints.</summary>
     /// <returns>See <see cref="MemoryLines"/>.</returns>
@@ -117,9 +127,44 @@ internal sealed class TrunkChain
             Positions[i] = plan.Pelvis + Rotation.Rotate(pelvis, bent[i]);
         }
 
+        IsRaised = false;
         if (layer != null)
         {
             Move(layer);
+            Raise(plan, layer);
+        }
+    }
+
+    /// <summary>How far a place that goes with a joint of the trunk goes as the front is raised.</summary>
+    /// <param name="slot">The joint.</param>
+    /// <param name="from">A place on it as if nothing were raised.</param>
+    /// <param name="turn">How far it is turned.</param>
+    public Vector3 Carry(int slot, Vector3 from, out Quaternion turn)
+    {
+        turn = Rotation.Multiply(Turns[slot], Rotation.Inverse(lowered[slot].Turn));
+        return Positions[slot] + Rotation.Rotate(turn, from - lowered[slot].Position);
+    }
+
+    /// <summary>Bends up the front with all that hangs on it, as far as its joints let it: what stands has been placed without that.</summary>
+    private void Raise(in TrunkPlan plan, BodyLayer layer)
+    {
+        if (!(layer.FrontPitch > 0f) || !body.Front.Exists)
+        {
+            return;
+        }
+
+        IsRaised = true;
+        Vector3 each = body.Front.Within(body.Bends, body.ForeSlot, new Vector3(plan.BendPitch, plan.BendYaw, plan.BendRoll), new Vector3(-layer.FrontPitch, layer.FrontSide, 0f));
+        FrontTurn = AxisRotation.YawPitchRoll(each.Y, each.X, each.Z);
+        for (int i = body.Front.Slot; i < Turns.Length; i++)
+        {
+            lowered[i] = (Turns[i], Positions[i]);
+        }
+
+        for (int i = body.Front.Slot + 1; i < Turns.Length; i++)
+        {
+            Positions[i] = Positions[i - 1] + Rotation.Rotate(Turns[i - 1], Rest[i] - Rest[i - 1]);
+            Turns[i] = Rotation.Multiply(Turns[i - 1], LocalTurn(i));
         }
     }
 
@@ -150,6 +195,11 @@ internal sealed class TrunkChain
     public Quaternion LocalTurn(int slot)
     {
         Quaternion turn = slot <= body.ForeSlot ? Bend : Quaternion.Identity;
+        if (IsRaised && slot > body.Front.Slot && slot <= body.ForeSlot)
+        {
+            turn = Rotation.Multiply(turn, FrontTurn);
+        }
+
         return slot == Turns.Length - 1 ? Rotation.Multiply(turn, ChestTurn) : turn;
     }
 }
