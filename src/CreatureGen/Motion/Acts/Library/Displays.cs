@@ -112,6 +112,7 @@ internal static class Displays
         Flinches.OfSwimmers,
         Flinches.OfFliers,
         Flinches.OfCrawlers,
+        Flinches.OfPillars,
         Flinches.OfOthers,
     };
 }

@@ -38,6 +38,12 @@ internal static class Flinches
         new ActPhase("freeze", 2.4f).To(NeckPitch, 0.8f).To(NeckSide, -0.6f).To(HeadSide, 0.45f).To(HeadRoll, 0f).To(Lids, -0.2f).To(Jaw, 0f).With(new ActWave(NeckSide, 0.03f, 6f)))
         .For(BodyBuild.Legless);
 
+    /// <summary>Pillars hardly fold: a body on them throws up its head and its tail, ears spread, and leans back from what startled it.</summary>
+    public static readonly Act OfPillars = Of(
+        new ActPhase("start", 0.8f, ActEase.Out).To(Ahead, -0.3f).To(Yaw, 0.1f).To(BackSide, -0.1f).To(ForeDown, 0.1f).To(HindDown, 0.28f).To(NeckPitch, 0.9f).To(HeadPitch, -0.3f).To(NeckSide, -0.8f).To(HeadSide, -0.3f).To(HeadRoll, -0.2f).To(Lids, 1f).To(Ears, -1f).To(TailPitch, 1.1f).To(TailSide, 0.5f).To(Jaw, 0.4f).To(ArmsBend, 1f).To(ArmsAhead, 0.7f).To(Wings, 0.6f),
+        new ActPhase("freeze", 2f).To(Ahead, -0.24f).To(Lids, -0.2f).To(HeadSide, 0.2f).To(Jaw, 0.1f).With(new ActWave(Up, 0.006f, 6f)).With(new ActWave(TailSide, 0.25f, 3f)).With(new ActWave(Ears, 0.3f, 3f)))
+        .For(BodyBuild.Columnar);
+
     public static readonly Act OfOthers = Of(
         new ActPhase("start", 0.6f, ActEase.Out).To(Ahead, -0.18f).To(ForeDown, 0.28f).To(HindDown, 0.2f).To(NeckPitch, 0.5f).To(HeadPitch, -0.45f).To(NeckSide, -0.6f).To(HeadSide, -0.25f).To(BackSide, -0.08f).To(Lids, 1f).To(Ears, 1f).To(TailPitch, -1f).To(ArmsBend, 1f).To(ArmsAhead, 0.7f).To(Wings, 0.5f),
         new ActPhase("freeze", 1.6f).To(Lids, -0.2f).To(HeadSide, 0.1f).With(new ActWave(Up, 0.006f, 6f)));
