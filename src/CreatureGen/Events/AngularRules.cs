@@ -39,7 +39,7 @@ public static class AngularRules
         Track = "Flaps",
         Roles = new[] { JointRole.Wing },
         ThresholdPower = 1.9,
-        Sweep = new AngularSweep(new Vector3(0f, -1f, 0f)) { Ends = new[] { JointRole.End }, BeginsAt = 0.2f, ReturnsAt = 0.3f, MinPart = 0.65f },
+        Sweep = new AngularSweep(new Vector3(0f, -1f, 0f)) { Ends = new[] { JointRole.End }, BeginsAt = 0.2f, ReturnsAt = 0.3f, MinPart = 0.35f },
         Interval = 0.035f,
         Winner = IntervalWinner.Strongest,
     };
