@@ -11,6 +11,10 @@ internal static class GroundClearance
 {
     private const int Rounds = 4;
 
+    /// <summary>Rounds in which a foot is bent out of the ground, and from which of them on its leg is raised at the hip as well: what points straight down at the end of its ankle cannot bend out of it.</summary>
+    private const int FootRounds = 6;
+    private const int HipFrom = 2;
+
     /// <summary>Radians by which a chain is bent in a round at most.</summary>
     private const float MaxBend = 0.4f;
 
@@ -58,10 +62,10 @@ internal static class GroundClearance
         Bend(profile, profile.Tail, BodyPart.Tail, pose, place, 0f, up, ground);
     }
 
-    /// <summary>Bends a foot up out of the ground at its ankle and its ball, as far as these go: no long toes hold a limp body up.</summary>
+    /// <summary>Bends a foot up out of the ground at its ankle and its ball, as far as these go, and raises its leg for what is left: no long toes hold a limp body up.</summary>
     public static void BendFoot(FallProfile profile, LyingLeg leg, PoseBuffer pose, in RootPlace place, Vector3 up, IGround ground)
     {
-        for (int round = 0; round < Rounds; round++)
+        for (int round = 0; round < FootRounds; round++)
         {
             float sunk = -profile.Support.LowestOfLimb(leg.Rig.Hip, place, pose.Model, up, ground, out Vector3 point);
             if (!(sunk > 1e-4f * leg.Rig.Length))
@@ -71,7 +75,14 @@ internal static class GroundClearance
 
             BendUp(profile.Skeleton, leg.Rig.Ankle, point, sunk, pose);
             BendUp(profile.Skeleton, leg.Rig.Ball, point, sunk, pose);
-            Subtree.LocalToModel(profile.Skeleton, leg.Rig.Ankle, pose.Local, pose.Model);
+            int raised = leg.Rig.Ankle;
+            if (round >= HipFrom)
+            {
+                raised = leg.Rig.Hip;
+                BendUp(profile.Skeleton, raised, point, sunk, pose);
+            }
+
+            Subtree.LocalToModel(profile.Skeleton, raised, pose.Local, pose.Model);
         }
     }
 
