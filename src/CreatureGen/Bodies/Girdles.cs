@@ -132,7 +132,8 @@ internal static class Girdles
             Add(bumps, upright, Middle(legs[0]), 1);
         }
 
-        double plank = (1 - bare) * Scalar.Smooth((Pure - fractions[0]) / (Pure - Mixed));
+        double mixed = Scalar.Smooth((Pure - fractions[0]) / (Pure - Mixed));
+        double plank = (1 - bare) * mixed;
         // Where wings fold the back stays as they know it.
         if (legs.Count > 1 && plank > 0 && creature.Wings.Count == 0 && creature.Body.Shell.Style == ShellStyle.None && legs.TrueForAll(leg => LegKinds.Of(leg.Archetype).Build.Posture == LimbPosture.Under))
         {
@@ -141,9 +142,10 @@ internal static class Girdles
             Add(bumps, croup, Middle(legs[legs.Count - 1]), plank);
         }
 
-        if (creature.Plan == BodyPlan.Sprawling && legs.Count > 1 && creature.Wings.Count == 0 && creature.Body.Shell.Style == ShellStyle.None)
+        // A frog's back slopes from its hips, without withers.
+        if (creature.Plan == BodyPlan.Sprawling && legs.Count > 1 && legs[legs.Count - 1].Archetype != LimbArchetype.FrogHind && creature.Wings.Count == 0 && creature.Body.Shell.Style == ShellStyle.None)
         {
-            double rest = 1 - (Sprawling * bare);
+            double rest = mixed * (1 - (Sprawling * bare));
             Add(bumps, sprawlingShoulders, Middle(legs[0]), rest);
             Add(bumps, sprawlingHips, Middle(legs[legs.Count - 1]), rest);
         }
