@@ -142,8 +142,8 @@ internal static class Girdles
             Add(bumps, croup, Middle(legs[legs.Count - 1]), plank);
         }
 
-        // A frog's back slopes from its hips, without withers.
-        if (creature.Plan == BodyPlan.Sprawling && legs.Count > 1 && legs[legs.Count - 1].Archetype != LimbArchetype.FrogHind && creature.Wings.Count == 0 && creature.Body.Shell.Style == ShellStyle.None)
+        // The back of what leaps slopes from its hips, without withers.
+        if (creature.Plan == BodyPlan.Sprawling && legs.Count > 1 && !LegKinds.Of(legs[legs.Count - 1].Archetype).Step.Leaps && creature.Wings.Count == 0 && creature.Body.Shell.Style == ShellStyle.None)
         {
             double rest = mixed * (1 - (Sprawling * bare));
             Add(bumps, sprawlingShoulders, Middle(legs[0]), rest);

@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Legs;
 using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
 using CreatureGen.Sampling;
@@ -57,7 +58,7 @@ public sealed class GirdlesTests
         for (ulong seed = 24902000; seed < 24902120; seed++)
         {
             CreatureBlueprint creature = BlueprintSampler.Sample(seed, LocomotionKind.Walking);
-            if (creature.Plan != BodyPlan.Sprawling || creature.Legs.Count < 2 || creature.Legs[^1].Archetype == LimbArchetype.FrogHind || creature.Wings.Count > 0 || creature.Body.Shell.Style != ShellStyle.None)
+            if (creature.Plan != BodyPlan.Sprawling || creature.Legs.Count < 2 || LegKinds.Of(creature.Legs[^1].Archetype).Step.Leaps || creature.Wings.Count > 0 || creature.Body.Shell.Style != ShellStyle.None)
             {
                 continue;
             }
