@@ -232,18 +232,21 @@ internal sealed class ActLayer
     /// <summary>How far the jaw is let down from where it is at rest, radians; 0 without one. A mouth shuts no farther than it is at rest: its lips would cut through one another.</summary>
     public float JawTurn(float[] values) => body.Jaw < 0 ? 0f : Math.Max(0f, values[(int)ActChannel.Jaw]) * body.Skeleton.AllJoints[body.Jaw].Limit.SwingX.Max;
 
-    /// <summary>Rolls a body over onto its flank as it lies, legs and all, as a log rolls: it goes aside by what it turns.</summary>
+    /// <summary>Rolls a body over onto its flank as it lies, legs and all, as a log rolls: it goes aside by what it turns. About a level axis one that lies along a slope would stick out of it on its back.</summary>
     /// <param name="values">Of the channels.</param>
     /// <param name="side">1 for an act to the left, −1 to the right.</param>
+    /// <param name="ground">That the feet stand on.</param>
     /// <param name="local">The pose.</param>
     /// <returns>By how much its left side is up, radians.</returns>
-    public float RollOver(float[] values, float side, in Pose local)
+    public float RollOver(float[] values, float side, in ActGround ground, in Pose local)
     {
         float turn = -side * values[(int)ActChannel.OnFlank] * folded.Flank;
         if (turn != 0f)
         {
-            local.Positions[body.Body] -= new Vector3(turn * body.Depth, 0f, 0f);
-            body.Turns.Set(local, body.Body, Rotation.Multiply(AxisRotation.Roll(turn), body.Turns.Of(local, body.Body)));
+            Quaternion slope = Rotation.FromTo(Vector3.UnitY, ground.Normal);
+            Quaternion roll = Rotation.Multiply(slope, Rotation.Multiply(AxisRotation.Roll(turn), Rotation.Inverse(slope)));
+            local.Positions[body.Body] -= Rotation.Rotate(slope, new Vector3(turn * body.Depth, 0f, 0f));
+            body.Turns.Set(local, body.Body, Rotation.Multiply(roll, body.Turns.Of(local, body.Body)));
         }
 
         return turn;

@@ -241,7 +241,7 @@ internal sealed class Performer
         over = 0f;
         if (carried)
         {
-            RollOver(local, model);
+            RollOver(ground, local, model);
             Settle(ground, local, model);
             GroundedEars.Keep(body, ground, local, model);
             ends.KeepHead(ground, over, local, model);
@@ -333,9 +333,9 @@ internal sealed class Performer
     }
 
     /// <summary>Rolls a body that lies over onto its flank.</summary>
-    private void RollOver(in Pose local, in Pose model)
+    private void RollOver(in ActGround ground, in Pose local, in Pose model)
     {
-        over = layer.RollOver(values, side, local);
+        over = layer.RollOver(values, side, ground, local);
         if (over != 0f)
         {
             ForwardKinematics.LocalToModel(body.Skeleton, local, model);
