@@ -104,12 +104,17 @@ internal sealed class HeadCoat
     private readonly float pores;
     private readonly NosePad leather;
     private readonly HeadTone? tone;
+    private readonly bool hasPlanes;
 
     public HeadCoat(CoatPalette palette, CoatSubject subject, CoatBlueprint coat)
     {
         this.palette = palette;
         this.subject = subject;
         leather = new NosePad(subject.Body);
+
+        // Faces of insects have plates, and beaks are horn.
+        bool isPlated = subject.Snout == SnoutKind.Bare && subject.Lips is null;
+        hasPlanes = subject.EyeRadius > 0f && subject.EyeAround >= NoPlanes && subject.Snout != SnoutKind.Beak && subject.Beak == null && !isPlated;
         int patternSeed = coat.PatternSeed;
         pores = subject.Lips is not null && CoatChoice.Of(patternSeed, CoatChoice.Pores) < Pored ? PoreCover : 0f;
         float mark = CoatChoice.Of(patternSeed, CoatChoice.MarkColour);
@@ -180,10 +185,10 @@ internal sealed class HeadCoat
         return colour * Scalar.Lerp(1f, Scalar.Lerp(LineShade, PaleLineShade, dark), Scalar.Smooth((LineBreadth - distance) / LineBlur));
     }
 
-    /// <summary>The colour with light and shade of the planes of a face; those of insects have plates, and beaks are horn.</summary>
+    /// <summary>The colour with light and shade of the planes of a face.</summary>
     private Vector3 Modelled(Vector3 colour, in SkinPlace place)
     {
-        if (subject.EyeRadius <= 0f || subject.EyeAround < NoPlanes || subject.Snout == SnoutKind.Beak || subject.Beak != null || (subject.Snout == SnoutKind.Bare && subject.Lips is null))
+        if (!hasPlanes)
         {
             return colour;
         }

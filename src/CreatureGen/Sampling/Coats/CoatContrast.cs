@@ -17,8 +17,7 @@ internal static class CoatContrast
 
     // From which lightness on a coat is pale, and by how much its back and limbs are darker than a pale base.
     private const double Pale = 0.68;
-    private const double BackBelow = 0.22;
-    private const double LimbBelow = 0.22;
+    private const double Below = 0.22;
 
     /// <summary>Least difference of lightness between base and pattern.</summary>
     private const double PatternApart = 0.16;
@@ -40,14 +39,14 @@ internal static class CoatContrast
         return coat with
         {
             Base = Towards(coat.Base, lightness, mixed),
-            Back = Towards(coat.Back, Below(coat.Back, lightness - BackBelow, pale), mixed),
-            Limb = Towards(coat.Limb, Below(coat.Limb, lightness - LimbBelow, pale), mixed),
+            Back = Towards(coat.Back, Darker(coat.Back, lightness - Below, pale), mixed),
+            Limb = Towards(coat.Limb, Darker(coat.Limb, lightness - Below, pale), mixed),
             Pattern = Towards(coat.Pattern, pattern, mixed),
         };
     }
 
     /// <summary>Lightness of a field, no darker than the darkest, and on a pale coat no paler than a bound.</summary>
-    private static double Below(ColourBlueprint field, double most, double pale) => Math.Max(Scalar.Lerp(field.Lightness, Math.Min(field.Lightness, most), pale), DarkestField);
+    private static double Darker(ColourBlueprint field, double most, double pale) => Math.Max(Scalar.Lerp(field.Lightness, Math.Min(field.Lightness, most), pale), DarkestField);
 
     private static ColourBlueprint Towards(ColourBlueprint field, double lightness, double share) => field with { Lightness = Scalar.Lerp(field.Lightness, lightness, share) };
 }

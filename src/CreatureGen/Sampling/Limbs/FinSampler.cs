@@ -178,13 +178,18 @@ internal static class FinSampler
     /// <summary>The ring of a paired fin: behind a disc, which is a pair of fins itself. One that held on to the trunk stayed where it was as the disc beat, and drew its edge down to a table's legs.</summary>
     private static int BehindDisc(CreatureBuilder builder, int ring)
     {
+        if (builder.Species.Disc.Sweep == 0)
+        {
+            return ring;
+        }
+
         double widest = 0;
         for (int i = 0; i < StationRing.TailFirst; i++)
         {
             widest = Math.Max(widest, builder.Shape.Width[i]);
         }
 
-        while (builder.Species.Disc.Sweep != 0 && ring < StationRing.TailFirst && builder.Shape.Width[ring] > DiscWidth * widest)
+        while (ring < StationRing.TailFirst && builder.Shape.Width[ring] > DiscWidth * widest)
         {
             ring++;
         }

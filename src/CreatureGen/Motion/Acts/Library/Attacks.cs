@@ -5,7 +5,7 @@ namespace CreatureGen.Motion.Acts.Library;
 /// <summary>Acts that strike. What a player has to see coming takes 0.18 s at least.</summary>
 internal static class Attacks
 {
-    private const float Seen = 0.18f;
+    internal const float Seen = 0.18f;
 
     public static readonly Act[] All =
     {

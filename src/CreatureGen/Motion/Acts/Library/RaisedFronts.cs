@@ -8,11 +8,9 @@ namespace CreatureGen.Motion.Acts.Library;
 /// </summary>
 internal static class RaisedFronts
 {
-    private const float Seen = 0.18f;
-
     /// <summary>Reared up it drops onto what it bites, and wrenches it from side to side.</summary>
     public static readonly Act Bite = Free(new Act("Bite", ActKind.Strike,
-        new ActPhase("rear", 1.9f).To(FrontUp, 0.75f).To(ForeFeetUp, 0.1f).To(ForeFeetAhead, 0.1f).To(NeckPitch, 0.2f).To(Jaw, 0.3f).To(Ears, 0.6f).To(TailPitch, 0.3f).AtLeast(Seen).Then(ActMark.Commit),
+        new ActPhase("rear", 1.9f).To(FrontUp, 0.75f).To(ForeFeetUp, 0.1f).To(ForeFeetAhead, 0.1f).To(NeckPitch, 0.2f).To(Jaw, 0.3f).To(Ears, 0.6f).To(TailPitch, 0.3f).AtLeast(Attacks.Seen).Then(ActMark.Commit),
         new ActPhase("strike", 0.75f, ActEase.In).To(FrontUp, 0f).To(ForeFeetUp, 0f).To(ForeFeetAhead, 0f).To(Ahead, 0.15f).To(NeckPitch, 0f).To(Jaw, 1f).To(Reach, 0.85f),
         new ActPhase("shut", 0.22f, ActEase.Out).To(Jaw, 0.1f).To(Reach, 1f).To(Ears, 1f).To(Lids, 0.6f).Then(ActMark.Contact),
         new ActPhase("wrench", 2.4f).To(Reach, 0.3f).To(FrontUp, 0.35f).To(Ahead, -0.05f).With(new ActWave(FrontSide, 0.3f, 2f)).With(new ActWave(HeadSide, 0.2f, 2f, 0.1f)).With(new ActWave(HeadRoll, 0.35f, 2f)).With(new ActWave(ForeFootUp, 0.1f, 2f)).With(new ActWave(TailSide, 0.4f, 2f, 0.3f)),
@@ -31,7 +29,7 @@ internal static class RaisedFronts
 
     /// <summary>Reared up it comes down with a fore foot.</summary>
     public static readonly Act Claw = Of(new Act("Claw", ActKind.Strike,
-        new ActPhase("rear", 1.8f).To(FrontUp, 0.8f).To(ForeFootUp, 0.2f).To(ForeFootOut, 0.3f).To(ForeFootPitch, 0.6f).To(FrontSide, -0.15f).To(NeckPitch, 0.2f).To(NeckSide, -0.2f).To(Jaw, 0.35f).To(Ears, 0.8f).To(TailPitch, 0.3f).AtLeast(Seen).Then(ActMark.Commit),
+        new ActPhase("rear", 1.8f).To(FrontUp, 0.8f).To(ForeFootUp, 0.2f).To(ForeFootOut, 0.3f).To(ForeFootPitch, 0.6f).To(FrontSide, -0.15f).To(NeckPitch, 0.2f).To(NeckSide, -0.2f).To(Jaw, 0.35f).To(Ears, 0.8f).To(TailPitch, 0.3f).AtLeast(Attacks.Seen).Then(ActMark.Commit),
         new ActPhase("strike", 0.6f, ActEase.In).To(FrontUp, 0.3f).To(FrontSide, 0.1f).To(ForeFootPitch, -0.3f).To(NeckPitch, 0f).To(NeckSide, 0.1f).To(Jaw, 0.7f).To(Reach, 0.85f),
         new ActPhase("hit", 0.2f, ActEase.Out).To(Reach, 1f).Then(ActMark.Contact),
         new ActPhase("rake", 0.8f, ActEase.Out).To(Reach, 0f).To(FrontUp, 0.15f).To(ForeFootUp, 0f).To(ForeFootAhead, 0.12f).To(ForeFootOut, -0.2f).To(ForeFootPitch, 0.2f).To(NeckPitch, -0.2f),

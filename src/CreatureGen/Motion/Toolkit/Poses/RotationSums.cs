@@ -47,23 +47,7 @@ internal static class RotationSums
         Vector256<float> fraction = Vector256.Create(1f / total);
         for (; i <= count - EightVectors.Count; i += EightVectors.Count)
         {
-            Vector256<float> q0 = EightVectors.Load(ref q, i), q1 = EightVectors.Load(ref q, i + 2), q2 = EightVectors.Load(ref q, i + 4), q3 = EightVectors.Load(ref q, i + 6);
-            Vector256<float> squares = EightVectors.Sums(q0 * q0, q1 * q1, q2 * q2, q3 * q3);
-            Vector256<float> scales = EightVectors.Scales(squares);
-            EightVectors.Store(q0 * EightVectors.First(scales), ref q, i);
-            EightVectors.Store(q1 * EightVectors.Second(scales), ref q, i + 2);
-            EightVectors.Store(q2 * EightVectors.Third(scales), ref q, i + 4);
-            EightVectors.Store(q3 * EightVectors.Fourth(scales), ref q, i + 6);
-            nuint place = (nuint)i * 3;
-            Vector256<float> p0 = Vector256.LoadUnsafe(ref p, place) * fraction;
-            Vector256<float> p1 = Vector256.LoadUnsafe(ref p, place + 8) * fraction;
-            Vector256<float> p2 = Vector256.LoadUnsafe(ref p, place + 16) * fraction;
-            p0.StoreUnsafe(ref p, place);
-            p1.StoreUnsafe(ref p, place + 8);
-            p2.StoreUnsafe(ref p, place + 16);
-
-            // A length that is nought or infinite leaves no rotation.
-            noughts += (squares + scales + p0 + p1 + p2) * 0f;
+            noughts += DivideEight(ref q, ref p, i, fraction, fraction, fraction) * 0f;
         }
 
         nought += EightVectors.Nought(noughts);
@@ -90,30 +74,43 @@ internal static class RotationSums
                 break;
             }
 
-            Vector256<float> q0 = EightVectors.Load(ref q, i), q1 = EightVectors.Load(ref q, i + 2), q2 = EightVectors.Load(ref q, i + 4), q3 = EightVectors.Load(ref q, i + 6);
-            Vector256<float> squares = EightVectors.Sums(q0 * q0, q1 * q1, q2 * q2, q3 * q3);
-            Vector256<float> scales = EightVectors.Scales(squares);
-            EightVectors.Store(q0 * EightVectors.First(scales), ref q, i);
-            EightVectors.Store(q1 * EightVectors.Second(scales), ref q, i + 2);
-            EightVectors.Store(q2 * EightVectors.Third(scales), ref q, i + 4);
-            EightVectors.Store(q3 * EightVectors.Fourth(scales), ref q, i + 6);
-
             // x0 y0 z0 x1 y1 z1 x2 y2, z2 x3 y3 z3 x4 y4 z4 x5, y5 z5 x6 y6 z6 x7 y7 z7
             Vector256<float> fractions = Vector256.Create(1f) / weights;
-            nuint place = (nuint)i * 3;
-            Vector256<float> p0 = Vector256.LoadUnsafe(ref p, place) * Vector256.Shuffle(fractions, Vector256.Create(0, 0, 0, 1, 1, 1, 2, 2));
-            Vector256<float> p1 = Vector256.LoadUnsafe(ref p, place + 8) * Vector256.Shuffle(fractions, Vector256.Create(2, 3, 3, 3, 4, 4, 4, 5));
-            Vector256<float> p2 = Vector256.LoadUnsafe(ref p, place + 16) * Vector256.Shuffle(fractions, Vector256.Create(5, 5, 6, 6, 6, 7, 7, 7));
-            p0.StoreUnsafe(ref p, place);
-            p1.StoreUnsafe(ref p, place + 8);
-            p2.StoreUnsafe(ref p, place + 16);
-
-            // A length that is nought or infinite leaves no rotation.
-            noughts += (squares + scales + p0 + p1 + p2) * 0f;
+            Vector256<float> first = Vector256.Shuffle(fractions, Vector256.Create(0, 0, 0, 1, 1, 1, 2, 2));
+            Vector256<float> second = Vector256.Shuffle(fractions, Vector256.Create(2, 3, 3, 3, 4, 4, 4, 5));
+            Vector256<float> third = Vector256.Shuffle(fractions, Vector256.Create(5, 5, 6, 6, 6, 7, 7, 7));
+            noughts += DivideEight(ref q, ref p, i, first, second, third) * 0f;
         }
 
         nought += EightVectors.Nought(noughts);
         return i - from;
+    }
+
+    /// <summary>Makes the sums of eight joints rotations and positions. Not finite where one of them is not: a length that is nought or infinite leaves no rotation.</summary>
+    /// <param name="q">The rotations of all joints.</param>
+    /// <param name="p">The numbers of their positions.</param>
+    /// <param name="joint">The first of the eight.</param>
+    /// <param name="first">What the first eight numbers of the positions are multiplied by.</param>
+    /// <param name="second">The same of the next.</param>
+    /// <param name="third">The same of the last.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector256<float> DivideEight(ref Vector4 q, ref float p, int joint, Vector256<float> first, Vector256<float> second, Vector256<float> third)
+    {
+        Vector256<float> q0 = EightVectors.Load(ref q, joint), q1 = EightVectors.Load(ref q, joint + 2), q2 = EightVectors.Load(ref q, joint + 4), q3 = EightVectors.Load(ref q, joint + 6);
+        Vector256<float> squares = EightVectors.Sums(q0 * q0, q1 * q1, q2 * q2, q3 * q3);
+        Vector256<float> scales = EightVectors.Scales(squares);
+        EightVectors.Store(q0 * EightVectors.First(scales), ref q, joint);
+        EightVectors.Store(q1 * EightVectors.Second(scales), ref q, joint + 2);
+        EightVectors.Store(q2 * EightVectors.Third(scales), ref q, joint + 4);
+        EightVectors.Store(q3 * EightVectors.Fourth(scales), ref q, joint + 6);
+        nuint place = (nuint)joint * 3;
+        Vector256<float> p0 = Vector256.LoadUnsafe(ref p, place) * first;
+        Vector256<float> p1 = Vector256.LoadUnsafe(ref p, place + 8) * second;
+        Vector256<float> p2 = Vector256.LoadUnsafe(ref p, place + 16) * third;
+        p0.StoreUnsafe(ref p, place);
+        p1.StoreUnsafe(ref p, place + 8);
+        p2.StoreUnsafe(ref p, place + 16);
+        return squares + scales + p0 + p1 + p2;
     }
 }
 #endif

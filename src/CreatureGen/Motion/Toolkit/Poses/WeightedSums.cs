@@ -2,6 +2,7 @@ using System;
 using System.Numerics;
 using System.Runtime.InteropServices;
 #if NET
+using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 using CreatureGen.Maths;
 #endif
@@ -56,16 +57,12 @@ internal static class WeightedSums
 #if NET
         if (EightVectors.Pay)
         {
-            Span<Vector256<float>> eights = MemoryMarshal.Cast<float, Vector256<float>>(sums);
-            ReadOnlySpan<Vector256<float>> eightsAdded = MemoryMarshal.Cast<float, Vector256<float>>(added).Slice(0, eights.Length);
+            TakeEights(ref sums, ref added, out Span<Vector256<float>> eights, out ReadOnlySpan<Vector256<float>> eightsAdded);
             Vector256<float> eightWeights = Vector256.Create(weight);
             for (int i = 0; i < eights.Length; i++)
             {
                 eights[i] = Vector256.Create(0f) + (eightsAdded[i] * eightWeights);
             }
-
-            sums = sums.Slice(eights.Length * EightVectors.Count);
-            added = added.Slice(eights.Length * EightVectors.Count);
         }
 #endif
         Span<Vector4> fours = MemoryMarshal.Cast<float, Vector4>(sums);
@@ -92,16 +89,12 @@ internal static class WeightedSums
 #if NET
         if (EightVectors.Pay)
         {
-            Span<Vector256<float>> eights = MemoryMarshal.Cast<float, Vector256<float>>(sums);
-            ReadOnlySpan<Vector256<float>> eightsAdded = MemoryMarshal.Cast<float, Vector256<float>>(added).Slice(0, eights.Length);
+            TakeEights(ref sums, ref added, out Span<Vector256<float>> eights, out ReadOnlySpan<Vector256<float>> eightsAdded);
             Vector256<float> eightWeights = Vector256.Create(weight);
             for (int i = 0; i < eights.Length; i++)
             {
                 eights[i] = eights[i] + (eightsAdded[i] * eightWeights);
             }
-
-            sums = sums.Slice(eights.Length * EightVectors.Count);
-            added = added.Slice(eights.Length * EightVectors.Count);
         }
 #endif
         Span<Vector4> fours = MemoryMarshal.Cast<float, Vector4>(sums);
@@ -135,4 +128,16 @@ internal static class WeightedSums
             sums[i] += number;
         }
     }
+
+#if NET
+    /// <summary>Takes the eights from the front of two lists of one length.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void TakeEights(ref Span<float> sums, ref ReadOnlySpan<float> added, out Span<Vector256<float>> eights, out ReadOnlySpan<Vector256<float>> eightsAdded)
+    {
+        eights = MemoryMarshal.Cast<float, Vector256<float>>(sums);
+        eightsAdded = MemoryMarshal.Cast<float, Vector256<float>>(added).Slice(0, eights.Length);
+        sums = sums.Slice(eights.Length * EightVectors.Count);
+        added = added.Slice(eights.Length * EightVectors.Count);
+    }
+#endif
 }
