@@ -2,7 +2,6 @@ using System;
 using System.Numerics;
 using System.Runtime.InteropServices;
 #if NET
-using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 using CreatureGen.Maths;
 #endif
@@ -55,14 +54,20 @@ internal static class WeightedSums
     {
         added = added.Slice(0, sums.Length);
 #if NET
-        if (EightVectors.Pay)
+        int last = sums.Length - EightVectors.Count;
+        if (EightVectors.Pay && last >= 0)
         {
-            TakeEights(ref sums, ref added, out Span<Vector256<float>> eights, out ReadOnlySpan<Vector256<float>> eightsAdded);
+            // The last eight may lie over others, which are then written twice alike.
+            ref float s = ref MemoryMarshal.GetReference(sums);
+            ref float a = ref MemoryMarshal.GetReference(added);
             Vector256<float> eightWeights = Vector256.Create(weight);
-            for (int i = 0; i < eights.Length; i++)
+            for (int i = 0; i < last; i += EightVectors.Count)
             {
-                eights[i] = Vector256.Create(0f) + (eightsAdded[i] * eightWeights);
+                (Vector256.Create(0f) + (Vector256.LoadUnsafe(ref a, (nuint)i) * eightWeights)).StoreUnsafe(ref s, (nuint)i);
             }
+
+            (Vector256.Create(0f) + (Vector256.LoadUnsafe(ref a, (nuint)last) * eightWeights)).StoreUnsafe(ref s, (nuint)last);
+            return;
         }
 #endif
         Span<Vector4> fours = MemoryMarshal.Cast<float, Vector4>(sums);
@@ -87,14 +92,21 @@ internal static class WeightedSums
     {
         added = added.Slice(0, sums.Length);
 #if NET
-        if (EightVectors.Pay)
+        int last = sums.Length - EightVectors.Count;
+        if (EightVectors.Pay && last >= 0)
         {
-            TakeEights(ref sums, ref added, out Span<Vector256<float>> eights, out ReadOnlySpan<Vector256<float>> eightsAdded);
+            // The last eight may lie over others: they are worked out before these.
+            ref float s = ref MemoryMarshal.GetReference(sums);
+            ref float a = ref MemoryMarshal.GetReference(added);
             Vector256<float> eightWeights = Vector256.Create(weight);
-            for (int i = 0; i < eights.Length; i++)
+            Vector256<float> end = Vector256.LoadUnsafe(ref s, (nuint)last) + (Vector256.LoadUnsafe(ref a, (nuint)last) * eightWeights);
+            for (int i = 0; i < last; i += EightVectors.Count)
             {
-                eights[i] = eights[i] + (eightsAdded[i] * eightWeights);
+                (Vector256.LoadUnsafe(ref s, (nuint)i) + (Vector256.LoadUnsafe(ref a, (nuint)i) * eightWeights)).StoreUnsafe(ref s, (nuint)i);
             }
+
+            end.StoreUnsafe(ref s, (nuint)last);
+            return;
         }
 #endif
         Span<Vector4> fours = MemoryMarshal.Cast<float, Vector4>(sums);
@@ -128,16 +140,4 @@ internal static class WeightedSums
             sums[i] += number;
         }
     }
-
-#if NET
-    /// <summary>Takes the eights from the front of two lists of one length.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void TakeEights(ref Span<float> sums, ref ReadOnlySpan<float> added, out Span<Vector256<float>> eights, out ReadOnlySpan<Vector256<float>> eightsAdded)
-    {
-        eights = MemoryMarshal.Cast<float, Vector256<float>>(sums);
-        eightsAdded = MemoryMarshal.Cast<float, Vector256<float>>(added).Slice(0, eights.Length);
-        sums = sums.Slice(eights.Length * EightVectors.Count);
-        added = added.Slice(eights.Length * EightVectors.Count);
-    }
-#endif
 }
