@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
 using CreatureGen.Console.Arguments;
 using CreatureGen.Console.Working;
 using CreatureGen.Repairs;
@@ -61,6 +62,14 @@ internal static class CreatureText
 
     /// <summary>What a creature's body is mixed from.</summary>
     public static string Body(CreatureFacts facts) => string.Join(", ", facts.Body.Where(part => part.Part >= 0.005).Select(part => $"{part.Name} {Units.Percent(part.Part)}"));
+
+    /// <summary>What a creature looks like, in few words: the animal that its torso has most of, and whose face it has if that is another's.</summary>
+    public static string Looks(BodyBlend blend)
+    {
+        IReadOnlyList<double> torso = blend.TorsoFractions;
+        string body = blend.Bodies[Enumerable.Range(0, torso.Count).MaxBy(i => torso[i])].Name;
+        return body == blend.Face ? body : $"{body}, face of {blend.Face}";
+    }
 
     private static string Count(LimbKind kind, int count)
     {

@@ -114,7 +114,7 @@ internal sealed class SheetVerb : IVerb
     private static SheetCell Cell(Specimen specimen, CreatureOptions options, Style style, ProgressLine progress)
     {
         CreatureBlueprint blueprint = Growing.Sample(specimen.Seed, specimen.Of(options));
-        string label = $"{specimen.Name} {WordList<Anatomy.LocomotionKind>.Instance[blueprint.Kind]} {WordList<Anatomy.BodyPlan>.Instance[blueprint.Plan]} {blueprint.Body.Blend.Bodies[0].Name}";
+        string label = $"{specimen.Name} {WordList<Anatomy.LocomotionKind>.Instance[blueprint.Kind]} {WordList<Anatomy.BodyPlan>.Instance[blueprint.Plan]} {CreatureText.Looks(blueprint.Body.Blend)}";
         return new SheetCell(label, (width, height) =>
         {
             Creature creature = CreatureAssembler.Assemble(blueprint);
@@ -138,7 +138,7 @@ internal sealed class SheetVerb : IVerb
         var profile = new MotionProfile(CreatureAssembler.Assemble(blueprint));
         progress.Step();
         var film = new FilmOptions { Width = of.Layout.CellWidth, Height = of.Layout.CellHeight, View = style.View, Shading = style.Render.Shading };
-        string label = $"{specimen.Name} {WordList<Anatomy.BodyPlan>.Instance[blueprint.Plan]} {blueprint.Body.Blend.Bodies[0].Name}";
+        string label = $"{specimen.Name} {WordList<Anatomy.BodyPlan>.Instance[blueprint.Plan]} {CreatureText.Looks(blueprint.Body.Blend)}";
         return ActRow.Of(profile, of.Act, label, film, expected => arguments.Wrong(ActArguments.Act.Name, of.Act, expected));
     }
 
