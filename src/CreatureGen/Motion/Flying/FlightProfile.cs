@@ -18,6 +18,9 @@ namespace CreatureGen.Motion.Flying;
 internal sealed class FlightProfile
 {
     /// <summary>That which its tempo and speeds are given for.</summary>
+    /// <summary>Pairs of one kind that are held as a fan; all behind them trail like the last. More of them spread as a fan were upright in the middle, a row of pegs along the belly.</summary>
+    private const int FannedPairs = 3;
+
     private const double Gravity = StandardGravity.Acceleration;
     private const double AirDensity = 1.225;
 
@@ -256,7 +259,7 @@ internal sealed class FlightProfile
         }
     }
 
-    /// <summary>Where a pair is among those of its kind, from 0 for the first to 1 for the last; null for the only one.</summary>
+    /// <summary>Where a pair is among those of its kind, from 0 for the first to 1 for the last and all that trail like it; null for the only one.</summary>
     private static double? PlaceOf(PairedChain pair, List<PairedChain> all)
     {
         int ahead = 0;
@@ -270,7 +273,7 @@ internal sealed class FlightProfile
             }
         }
 
-        return others == 0 ? null : (double)ahead / others;
+        return others == 0 ? null : Math.Min(1.0, (double)ahead / Math.Min(others, FannedPairs - 1));
     }
 
     private static int ShoulderOf(MotionSubject subject)
