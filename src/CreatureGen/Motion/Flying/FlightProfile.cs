@@ -18,11 +18,11 @@ namespace CreatureGen.Motion.Flying;
 internal sealed class FlightProfile
 {
     /// <summary>That which its tempo and speeds are given for.</summary>
-    /// <summary>Pairs of one kind that are held as a fan; all behind them trail like the last. More of them spread as a fan were upright in the middle, a row of pegs along the belly.</summary>
-    private const int FannedPairs = 3;
-
     private const double Gravity = StandardGravity.Acceleration;
     private const double AirDensity = 1.225;
+
+    /// <summary>Pairs of one kind that are held as a fan; all behind them trail like the last. More of them spread as a fan were upright in the middle, a row of pegs along the belly.</summary>
+    private const int FannedPairs = 3;
 
     /// <summary>Mass of a flier over that of a solid body of the same shape: feathers, air sacs and thin bones.</summary>
     private const double Lightness = 0.3;
