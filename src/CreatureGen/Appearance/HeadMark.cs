@@ -39,6 +39,9 @@ internal static class HeadMarks
     private const float Scallop = 0.7f;
     private const float Scallops = 6f;
 
+    /// <summary>How much narrower a bib is at the throat than at the chest, radians on either side: cut off square it is a hole from the side.</summary>
+    private const float BibPoint = 0.65f;
+
     /// <summary>The marking that goes with a coat's pattern seed: none for one creature in six.</summary>
     public static HeadMark FromSeed(int patternSeed)
     {
@@ -70,7 +73,8 @@ internal static class HeadMarks
                 float off = System.Math.Abs(around - 1.27f - (0.02f * (ring - 9f)));
                 return Scalar.Smooth((0.27f - off) / 0.20f) * Scalar.Smooth((17.5f - ring) / 2f) * Scalar.Smooth((ring - 2f) / 2f);
             case HeadMark.Bib:
-                return Scalar.Smooth((around - 2.10f) / 0.25f) * Scalar.Smooth((ring - 15f) / 2f) * Scalar.Smooth((27f - ring) / 3f);
+                float narrowing = BibPoint * (1f - Scalar.Smooth((ring - 13f) / 7f));
+                return Scalar.Smooth((around - 2.05f - narrowing) / 0.4f) * Scalar.Smooth((ring - 12f) / 4f) * Scalar.Smooth((27.5f - ring) / 5.5f);
             case HeadMark.Blaze:
                 return Scalar.Smooth((0.38f - around) / 0.22f) * Scalar.Smooth((12f - ring) / 2f);
             case HeadMark.Mask:

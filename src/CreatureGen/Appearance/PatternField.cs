@@ -131,7 +131,7 @@ internal sealed class PatternField
     // A ring around each point, broken in up to four places, and in its middle a share of the pattern colour: warmer and darker than the coat.
     private float Rosettes(in PatternPlace place)
     {
-        NearestPoint point = scatter.Nearest(place.Position * (4f * scale));
+        NearestPoint point = scatter.Nearest(place.Position * (5.5f * scale));
         float distance = point.Distance;
         float fraction = 0.36f * Scalar.Smooth((RingRadius - distance) / 0.08f);
         float ring = Scalar.Smooth((0.145f - Math.Abs(distance - RingRadius)) / 0.08f);

@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
 using CreatureGen.Maths;
@@ -12,6 +13,9 @@ internal static class CoatSampler
 {
     /// <summary>Probability that a species wears a colouring that it is known by.</summary>
     private const double KnownColourings = 0.55;
+
+    /// <summary>Probability that a mixed body in a plain coat has a pattern of its animals instead: of one tone from head to foot a body of several is a cast.</summary>
+    private const double PatternsOfMixed = 0.6;
 
     // How far one species' wear of a known colouring may be from another's: lightness, factor of chroma, degrees of hue; its marks half as far.
     private const double LightnessVariety = 0.1;
@@ -96,7 +100,7 @@ internal static class CoatSampler
         Colouring[] known = builder.Parents.Skin.Colourings;
         RandomStream choice = builder.Stream("colouring");
         CoatBlueprint worn = palette == PaletteMood.Any && known.Length > 0 && choice.Chance(KnownColourings) ? Wear(coat, known[choice.Integer(0, known.Length)], choice) : coat;
-        return RareCoats.Perhaps(CoatContrast.On(Darkened(worn), builder.Fitting), palette, builder.Stream("rarity"), builder.Fitting);
+        return RareCoats.Perhaps(CoatContrast.On(Darkened(Patterned(worn, builder)), builder.Fitting), palette, builder.Stream("rarity"), builder.Fitting);
     }
 
     /// <summary>A colour in OKLCH with its hue in degrees, of any number of turns.</summary>
@@ -132,6 +136,19 @@ internal static class CoatSampler
         ColourBlueprint? Varied(Tint? tint) => tint is not Tint t
             ? null
             : Colour(Scalar.Clamp(t.Lightness + (0.5 * random.Uniform(-LightnessVariety, LightnessVariety)), 0.1, 0.96), t.Chroma, t.Hue + (0.5 * random.Uniform(-HueVariety, HueVariety)));
+    }
+
+    /// <summary>A plain coat with a pattern that the animal of the skin or of the head has, where the body is mixed and either has any.</summary>
+    private static CoatBlueprint Patterned(CoatBlueprint coat, CreatureBuilder builder)
+    {
+        RandomStream random = builder.Stream("pattern of the mixture");
+        if (coat.PatternKind != PatternKind.Plain || !random.Chance(PatternsOfMixed * builder.Fitting))
+        {
+            return coat;
+        }
+
+        Weighted<PatternKind>[] patterns = builder.Parents.Skin.Patterns.Concat(builder.Parents.Head.Patterns).Where(pattern => pattern.Value != PatternKind.Plain).ToArray();
+        return patterns.Length == 0 ? coat : coat with { PatternKind = CreatureBuilder.Choose(random, patterns) };
     }
 
     /// <summary>Rosettes and plates are always darker than the coat and a little warmer, whatever the colour drawn for them.</summary>
