@@ -21,6 +21,14 @@ internal sealed class BladeCoat
     /// <summary>How far the skin over a finger keeps the coat of the body, in spans.</summary>
     private const float FingerWidth = 0.014f;
 
+    // Where on the depth of a spread wing of feathers its greater coverts and its flight feathers begin, at the root and at the tip, how far the scallops of both rows reach, and how soft their edges are.
+    private const float CovertsFrom = 0.3f;
+    private const float CovertsAtTip = 0.2f;
+    private const float FlightFrom = 0.62f;
+    private const float FlightAtTip = 0.4f;
+    private const float RowScallop = 0.025f;
+    private const float RowEdge = 0.04f;
+
     // Of the folded wing: how many feathers lie over one another, and how far the scallops of a row reach along it.
     private const int FoldedFeathers = 5;
     private const float Scallop = 0.035f;
@@ -89,10 +97,17 @@ internal sealed class BladeCoat
     {
         float chord = place.Chord;
         float rooted = 0.9f * Scalar.Smooth(place.Along * 5f);
-        colour = Vec.Lerp(colour, covertColour, rooted * Scalar.Smooth((chord - 0.30f) / 0.06f));
-        colour = Vec.Lerp(colour, featherColour, rooted * Scalar.Smooth((chord - 0.62f) / 0.06f));
-        float row = Scalar.Smooth((chord - 0.34f) / 0.1f);
-        return colour * (1f - (0.45f * rooted * row * Border((place.Along * feathers) + (chord < 0.62f ? 0.5f : 0f))));
+        float feather = place.Along * feathers;
+
+        // Coverts end in a scallop each, those of the two rows between one another; towards the tip flight feathers are longer.
+        float scallop = RowScallop * (float)PortableMath.Cos(PortableMath.Tau * feather);
+        float coverts = Scalar.Lerp(CovertsFrom, CovertsAtTip, place.Along) - scallop;
+        float flight = Scalar.Lerp(FlightFrom, FlightAtTip, place.Along) + scallop;
+        colour = Vec.Lerp(colour, covertColour, rooted * Scalar.Smooth((chord - coverts) / RowEdge));
+        colour = Vec.Lerp(colour, featherColour, rooted * Scalar.Smooth((chord - flight) / RowEdge));
+        float row = Scalar.Smooth((chord - coverts) / (2f * RowEdge));
+        float below = Math.Max(Scalar.Smooth(1f - (Math.Abs(chord - coverts - RowEdge) / (1.5f * RowEdge))), Scalar.Smooth(1f - (Math.Abs(chord - flight - RowEdge) / (1.5f * RowEdge))));
+        return colour * (1f - (0.45f * rooted * Math.Max(below, row * Border(feather + (chord < flight ? 0.5f : 0f)))));
     }
 
     // Coverts over the wrist, greater coverts in the middle, and behind them primaries that run to the rear, one over the other.

@@ -222,11 +222,15 @@ internal static class LegGrower
 
         if (form.End != FootEnd.Pad)
         {
-            // On one ring a joint that folds deep is a block with two corners. Columns hardly fold, and stout knees under the body have no room for more skin in their hollows.
-            Round(form.AnkleRow);
+            // On one ring a joint that folds deep is a block with two corners. Columns hardly fold, and neither stout knees under the body nor ankles out to its side have room for more skin in their hollows.
             if (form.LongToed || form.Lateral)
             {
                 Round(form.KneeRow);
+            }
+
+            if (!form.Lateral)
+            {
+                Round(form.AnkleRow);
             }
 
             sections.Sort();
