@@ -31,6 +31,18 @@ internal static class EyeShape
     private const float BackRing = 1.85f;
     private const float CorneaEdge = 1.0f;
 
+    // The glints, places and radii in radians from the gaze. The larger one is just within the edge of a round pupil, above a bar and beside a slit, and the small one on the iris:
+    // a white disc on the edge of a pupil bites into it, and what is left of it is a C.
+    private static readonly Vector2 glint = new(-0.17f, 0.28f);
+    private static readonly Vector2 glintBesideSlit = new(-0.30f, 0.40f);
+    private static readonly Vector2 glintAboveBar = new(-0.30f, 0.345f);
+    private static readonly Vector2 counterGlint = new(0.34f, -0.52f);
+    private const float GlintRadius = 0.125f;
+    private const float CounterGlintRadius = 0.07f;
+
+    /// <summary>Height of the glint on an eye on the midline with a slit, which it would cut anywhere lower.</summary>
+    private const float AboveSlit = 0.84f;
+
     /// <summary>Shade of the back of a faceted dome against its front.</summary>
     private const float BackShade = 0.75f;
 
@@ -82,10 +94,16 @@ internal static class EyeShape
         }
 
         AppendBall(builder, frame, style, iris, back);
-        AppendGlint(builder, frame, new Vector2(-0.20f * aside, 0.40f), 0.19f, 10, Vector3.One);
+        Vector2 at = style switch
+        {
+            EyeStyle.Slit => frame.IsMedian ? new Vector2(0f, AboveSlit) : glintBesideSlit,
+            EyeStyle.Bar => glintAboveBar,
+            _ => glint,
+        };
+        AppendGlint(builder, frame, new Vector2(at.X * aside, at.Y), GlintRadius, 10, Vector3.One);
         if (!frame.IsMedian)
         {
-            AppendGlint(builder, frame, new Vector2(0.26f, -0.42f), 0.085f, 8, Vec.Lerp(iris, Vector3.One, 0.55f));
+            AppendGlint(builder, frame, counterGlint, CounterGlintRadius, 8, Vec.Lerp(iris, Vector3.One, 0.55f));
         }
     }
 
