@@ -35,6 +35,12 @@ internal static class HeadSampler
     private const double SmallestOnTop = 0.29;
     private const double LowestEye = 5.7;
 
+    // The same of an insect's face, and how far its eyes look ahead at least: those of ants and beetles are specks at the rim of a plate. A part of what kinds differ by stays.
+    private const double SmallestFaceted = 0.52;
+    private const double LowestFaceted = 5.9;
+    private const double FacetedAhead = 0.8;
+    private const double FacetedShare = 0.75;
+
     /// <summary>The same of a strange creature's own head: a rhino's, a boar's or a bear's are specks from the front.</summary>
     private const double SmallestOwn = 0.29;
 
@@ -274,6 +280,8 @@ internal static class HeadSampler
         double onTop = builder.Fitting * Scalar.Clamp(1 + OnTop - species.Eye.Segment, 0, 1);
         double smallest = Math.Max(mixed * Scalar.Lerp(SmallestEye, SmallestOnTop, onTop), builder.Fitting * SmallestOwn * (1 - onTop));
         radius = Math.Max(radius * Scalar.Lerp(1, EyesOnTop, onTop), smallest * half);
+        double insect = species.Class == AnimalClass.Arthropod && species.EyeStyle != EyeStyle.Bead ? builder.Fitting : 0;
+        radius += FacetedShare * insect * Math.Max(0, (SmallestFaceted * half) - radius);
         bool faceted = random.Chance(species.CompoundEyes);
         bool slit = random.Chance(species.SlitPupils);
         bool bar = builder.Stream("bar pupils").Chance(species.BarPupils);
@@ -295,8 +303,8 @@ internal static class HeadSampler
 
         double sink = Math.Max(species.EyeSink, Scalar.Lerp(species.EyeSink, MixedSink, mixed));
         sink = Math.Min(sink, Scalar.Lerp(sink, DeepestSink, builder.Fitting));
-        double segment = Math.Min(species.Eye.Segment, Scalar.Lerp(species.Eye.Segment, LowestEye, mixed));
-        return new EyeBlueprint(style, species.Eye.Ring, segment, radius, sink, Forward(builder), Scalar.Radians(upper), Scalar.Radians(lower), 0.42 * mood);
+        double segment = Math.Min(species.Eye.Segment, Scalar.Lerp(Scalar.Lerp(species.Eye.Segment, LowestEye, mixed), LowestFaceted, FacetedShare * insect));
+        return new EyeBlueprint(style, species.Eye.Ring, segment, radius, sink, Math.Max(Forward(builder), FacetedAhead * insect), Scalar.Radians(upper), Scalar.Radians(lower), 0.42 * mood);
     }
 
     /// <summary>How far eyes look ahead: those of strange creatures are seen from the front, where others are slits at the edge of a mask. Eyes on top of the head are seen from there as they are, and turned ahead they would be lids from the side.</summary>
