@@ -191,6 +191,7 @@ internal static class HeadSampler
 
         // What goes on legs keeps its head: its gaits were tuned to where its weight lies.
         double fitting = builder.Kind == LocomotionKind.Swimming ? builder.Fitting : 0;
+        double ashore = builder.Kind == LocomotionKind.Swimming ? 0 : builder.Fitting;
         double flat = Scalar.Clamp(Breadth(builder.Shape) - Level, 0, 1);
         double brow = Vary(species.Swelling.Brow);
         Add(9.2, 4.2, 1.6, 1.3, Math.Min(brow, Scalar.Lerp(brow, Scalar.Lerp(HighestBrow, HighestOnBoard, Math.Min(1, 2.5 * flat)), fitting)));
@@ -219,12 +220,9 @@ internal static class HeadSampler
             Add(6, 0, 3.2, 1.5, Bridge * board);
             Add(7, 3.2, 2.2, 1.3, -Hollow * board);
             Add(6.2, 7.6, 2, 1.3, -Hollow * board);
-            double ashore = builder.Kind == LocomotionKind.Swimming ? 0 : builder.Fitting;
             Add(5.6, 0, 2.7, 1.1, NoseBridge * ashore);
             Add(6.6, 2.9, 2, 1.2, -BesideNose * ashore);
-            double own = builder.Stream("crown").Uniform(LowestSkull, HighestSkull);
-            Add(12, 0, 2.2, 4.2, ashore * own * Crown(builder.Shape, eyes));
-            Add(11, 0, 3, 3, ashore * own * Vault * Scalar.Smooth(Breadth(builder.Shape) - Level));
+            Rise(ashore);
             (double broadest, double drawnIn) = builder.Kind == LocomotionKind.Swimming ? (MuzzleInWater, DrawnInWater) : (Muzzle, DrawnIn);
             Add(3, 8, 2.4, 16, -Math.Max(fitting, Mixed(builder)) * Scalar.Clamp(1 - (broadest / MuzzleBreadth(builder.Shape)), 0, drawnIn));
         }
@@ -234,6 +232,7 @@ internal static class HeadSampler
             double mixed = Mixed(builder);
             Add(2, 0, 3.6, 1.2, Ridge * mixed);
             Add(2, 3.4, 3.2, 1.5, -Sides * mixed);
+            Rise(ashore);
         }
 
         if (species.Class == AnimalClass.Arthropod)
@@ -245,6 +244,13 @@ internal static class HeadSampler
 
         bumps.AddRange(species.Skull.Muzzle);
         return new ValueList<HeadBump>(bumps);
+
+        void Rise(double share)
+        {
+            double own = share * builder.Stream("crown").Uniform(LowestSkull, HighestSkull);
+            Add(12, 0, 2.2, 4.2, own * Crown(builder.Shape, eyes, species.Snout == SnoutKind.Beak ? 1 : Scalar.Clamp(eyes.Segment - OnTop, OfFrogs, 1)));
+            Add(11, 0, 3, 3, own * Vault * Scalar.Smooth(Breadth(builder.Shape) - Level));
+        }
 
         double IfAny(double amount) => amount == 0 ? 0 : Vary(amount);
 
@@ -260,11 +266,11 @@ internal static class HeadSampler
     }
 
     /// <summary>How far the crown of the skull has to rise to be above the eyes, relative to its section: level with them it is sawn off from the front. Those of eyes on top of the head stay above it.</summary>
-    private static double Crown(BodyShape shape, EyeBlueprint eyes)
+    private static double Crown(BodyShape shape, EyeBlueprint eyes, double share)
     {
         double height = PortableMath.Cos(eyes.Segment * PortableMath.Tau / BodyGrid.Segments);
         double top = (shape.Top[StationRing.Brow] * height) + (eyes.Radius * (1 + AboveEyes - (eyes.Sink * height)));
-        double lacks = Math.Max(0, (top / shape.Top[StationRing.Cranium - 1]) - 1) * Scalar.Clamp(eyes.Segment - OnTop, OfFrogs, 1);
+        double lacks = Math.Max(0, (top / shape.Top[StationRing.Cranium - 1]) - 1) * share;
         return HighestCrown * (1 - PortableMath.Exp(-lacks / HighestCrown));
     }
 
