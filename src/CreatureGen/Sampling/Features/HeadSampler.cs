@@ -80,6 +80,11 @@ internal static class HeadSampler
     private const double HighestCrown = 0.3;
     private const double OfFrogs = 0.4;
 
+    // A nape and a throat behind the head of another body: how far they are drawn in, in radii of the section, and the breadth of the neck, in that of the head, from which on they are, and at which they wholly are.
+    private const double Nape = 0.14;
+    private const double NapeFrom = 0.6;
+    private const double NapeWhole = 0.95;
+
     /// <summary>How far the middle of the skull rises where it is as broad as a board and more: flat between the eyes it is a lid.</summary>
     private const double Vault = 0.24;
 
@@ -129,6 +134,10 @@ internal static class HeadSampler
     /// <summary>Width of the front of the muzzle against the widest of the head.</summary>
     private static double MuzzleBreadth(BodyShape shape) =>
         Math.Max(shape.Width[StationRing.MuzzleFront], shape.Width[StationRing.MuzzleMiddle]) / Math.Max(shape.Width[StationRing.Brow], shape.Width[StationRing.Cranium]);
+
+    /// <summary>Size of the neck behind the head against the largest of the head.</summary>
+    private static double NeckBreadth(BodyShape shape) =>
+        Math.Sqrt(shape.Width[StationRing.Nape] * (shape.Top[StationRing.Nape] + shape.Bottom[StationRing.Nape]) / (shape.Width[StationRing.Cranium] * (shape.Top[StationRing.Cranium] + shape.Bottom[StationRing.Cranium])));
 
     /// <summary>Radius of the largest eyes that a head has room for, metres.</summary>
     public static double LargestEye(CreatureBuilder builder)
@@ -240,6 +249,11 @@ internal static class HeadSampler
             Add(6, 0, 0.7, 3.4, -UpperGroove * builder.Fitting);
             Add(3.6, 0, 1.5, 3.2, FaceShield * builder.Fitting);
             Add(1.4, 0, 0.6, 4.6, -LipGroove * builder.Fitting);
+        }
+
+        if (species.Class != AnimalClass.Arthropod && builder.Parents.Head != builder.Parents.First && builder.Species.Disc.Sweep == 0)
+        {
+            Add(16.6, 8, 1.7, 16, -Nape * builder.Fitting * Scalar.Smooth((NeckBreadth(builder.Shape) - NapeFrom) / (NapeWhole - NapeFrom)));
         }
 
         bumps.AddRange(species.Skull.Muzzle);
