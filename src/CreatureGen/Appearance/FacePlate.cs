@@ -6,11 +6,12 @@ namespace CreatureGen.Appearance;
 /// <summary>The plates on the face of an insect: a shield above its jaws (clypeus) and a lip below it, and the seams around them and up over the forehead. Without them its head is a ball, and with a round one a disc.</summary>
 internal static class FacePlate
 {
-    // The shield: its middle and half its height, rings, and half its breadth at its lower and its upper edge, radians around the head.
+    // The shield: its middle and half its height, rings, half its breadth at its lower and its upper edge, radians around the head, and by how many rings it comes down a radian beside its middle, arched above and hollow below.
     private const float Ring = 3.6f;
     private const float Height = 2.1f;
-    private const double LowerBreadth = 1.05;
-    private const double UpperBreadth = 0.56;
+    private const double LowerBreadth = 0.95;
+    private const double UpperBreadth = 0.6;
+    private const float Arch = 0.9f;
 
     // The lip: the same.
     private const float LipRing = 0.35f;
@@ -34,7 +35,7 @@ internal static class FacePlate
     public static (float Plate, float Seam) At(float ring, float around)
     {
         double upward = Scalar.Clamp((ring - (Ring - Height)) / (2 * Height), 0, 1);
-        float shield = Off((ring - Ring) / Height, around / Scalar.Lerp(LowerBreadth, UpperBreadth, upward));
+        float shield = Off((ring + (Arch * around * around) - Ring) / Height, around / Scalar.Lerp(LowerBreadth, UpperBreadth, upward));
         float lip = Off((ring - LipRing) / LipHeight, around / LipBreadth);
         float plate = Math.Max(Within(shield), Within(lip));
         return (plate, Math.Max(Math.Max(Around(shield), Around(lip) * (1f - Within(shield))), Forehead(ring, around)));
@@ -43,9 +44,9 @@ internal static class FacePlate
     /// <summary>How far a place is from the middle of a plate, 1 on its edge: a square whose corners are round.</summary>
     private static float Off(double along, double across)
     {
-        double a = along * along;
-        double b = across * across;
-        return (float)Math.Sqrt(Math.Sqrt((a * a) + (b * b)));
+        double a = Math.Abs(along);
+        double b = Math.Abs(across);
+        return (float)PortableMath.Cbrt((a * a * a) + (b * b * b));
     }
 
     private static float Within(float off) => Scalar.Smooth((1f - off) / Blur);
