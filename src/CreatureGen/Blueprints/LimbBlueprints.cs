@@ -145,7 +145,7 @@ public sealed record FeatureBlueprint(
 /// <param name="Style">Its outline.</param>
 /// <param name="Size">Half height of an upright fin or half width of a level one, metres at scale 1; of a tail without either, how far it has its form: 0 as the body tables give it, 1 all.</param>
 /// <param name="Fork">Depth of the fork; negative makes a rounded end.</param>
-/// <param name="Lobe">How much higher the upper half of an upright fin is than the lower one, as a share of its size; negative when it is lower.</param>
+/// <param name="Lobe">How much higher the upper half of an upright fin is than the lower one, as a share of its size; negative when it is lower. Of a fluke, how much its rear edge is the hollow one of a sickle; negative for the full one of a fan.</param>
 public sealed record TailBlueprint(TailStyle Style, double Size, double Fork, double Lobe = 0)
 {
     /// <summary>Its JSON text on one line, the same in every culture.</summary>

@@ -99,9 +99,11 @@ internal sealed class BodySkin
             ApplyShell(body.Shell, i, x, y);
             bool rayed = i >= StationRing.TailFirst && TailRays.Has(tail.Style);
             Span<float> thickness = tail.Style == TailStyle.Fluke ? y : x;
+            double slimness = 2 * shape.Width[i] / (shape.Top[i] + shape.Bottom[i]);
+            slimness = tail.Style == TailStyle.Fluke ? slimness : 1 / slimness;
             for (int j = 0; j <= Half && rayed; j++)
             {
-                thickness[j] *= (float)TailRays.ThicknessAt(i, PortableMath.Tau * j / BodyGrid.Segments);
+                thickness[j] *= (float)TailRays.ThicknessAt(i, PortableMath.Tau * j / BodyGrid.Segments, slimness);
             }
 
             Vector3 centre = shape.Centre(i);
@@ -215,7 +217,7 @@ internal sealed class BodySkin
             case TailStyle.Fluke:
                 // The tips sweep back, no farther than the rings are apart.
                 double lobes = Math.Min(0.56 * tail.Fork * tail.Size, 3.4 * tailStep);
-                return (float)(Scalar.Smooth((ring - 46) / 7.0) * (0.02 - (lobes * FlukeTail.EdgeAt(across))));
+                return (float)(Scalar.Smooth((ring - 46) / 7.0) * (0.02 - (lobes * FlukeTail.EdgeAt(across, tail.Lobe))));
             case TailStyle.Feathers:
                 double q = Scalar.Smooth((ring - 46) / 8.0);
                 double edge = Math.Min(1, across);
@@ -242,8 +244,8 @@ internal sealed class BodySkin
         {
             TailStyle.Feathers => (float)(Arch * tail.Size * Scalar.Smooth((ring - StationRing.TailFirst) / 8.0) * (crest - (across * across))),
 
-            // By its place in the whole lobe: with its tips bent up ring by ring a lobe is twisted along its leading edge, where both of its faces then cut through one another.
-            TailStyle.Fluke => (float)(tail.Size * Scalar.Smooth((ring - StationRing.TailFirst) / 7.0) * FlukeTail.RiseAt(Math.Min(1, Math.Abs(x) / tail.Size))),
+            // By its place in the whole lobe: with its tips bent ring by ring a lobe is twisted along its leading edge, where both of its faces then cut through one another.
+            TailStyle.Fluke => (float)(-tail.Size * Scalar.Smooth((ring - StationRing.TailFirst) / 7.0) * FlukeTail.FallAt(Math.Min(1, Math.Abs(x) / tail.Size))),
             _ => 0f,
         };
     }

@@ -18,9 +18,8 @@ internal static class TailShaper
     /// <summary>Greatest length of an upright fin along the spine, in its sizes; those of fish are up to 1.6 long. Spread over all of a long tail it is a funnel that ends sawn off; a lance is to be long.</summary>
     private const double LongestFin = 2.2;
 
-    /// <summary>The ring from which on a fluke spreads, and how much of its span is reached before its middle: its leading edge bends back to pointed tips.</summary>
+    /// <summary>The ring from which on a fluke spreads.</summary>
     private const int FlukeFirst = 47;
-    private const double FlukeBend = 0.5;
 
     /// <summary>What is left of the thickness of a stalk where its fin opens that is longer than the fin.</summary>
     private const double StalkEnd = 0.55;
@@ -76,7 +75,7 @@ internal static class TailShaper
                     double q = Scalar.Smooth(opened);
                     double stalk = Stalk(step, i, FlukeFirst, longest);
                     double flesh = FlukeEdge + (FlukeFlesh * tail.Size * PortableMath.Pow(1 - opened, FlukeThins) * Scalar.Smooth(2 * opened));
-                    width[i] = (stalk * width0 * (1 - q)) + (tail.Size * opened * (1 + (FlukeBend * (1 - opened))));
+                    width[i] = (stalk * width0 * (1 - q)) + (tail.Size * FlukeTail.WidthAt(opened, tail.Lobe));
                     top[i] = (stalk * top0 * PortableMath.Pow(1 - q, 1.3)) + flesh;
                     bottom[i] = (stalk * bottom0 * PortableMath.Pow(1 - q, 1.3)) + flesh;
                 }

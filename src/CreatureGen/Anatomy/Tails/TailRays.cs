@@ -14,6 +14,9 @@ internal static class TailRays
     private const double Scallop = 0.35;
     private const double DeepestScallop = 0.07;
 
+    /// <summary>How often as broad as thick a fin is whose rays stand out fully.</summary>
+    private const double Slim = 20;
+
     // From where on and over how many rings rays stand out of the stalk, and the last rings, over which the edge is drawn in.
     private const double First = 48;
     private const double Emerging = 4;
@@ -33,7 +36,11 @@ internal static class TailRays
         0.5 * (1 - PortableMath.Cos(2 * OnSide * around)) * Scalar.Smooth((ring - First) / Emerging);
 
     /// <summary>Factor on the half thickness of the fin.</summary>
-    public static double ThicknessAt(double ring, double around) => 1 + (Relief * Scalar.Smooth((ring - First) / Emerging)) - (2 * Relief * Between(ring, around));
+    /// <param name="ring">Ring of the body.</param>
+    /// <param name="around">Radians around the body from the back.</param>
+    /// <param name="slimness">How often as broad as thick it is there: on a stalk rays are folds that cut through one another.</param>
+    public static double ThicknessAt(double ring, double around, double slimness) =>
+        1 + (Relief * Scalar.Smooth((slimness - 1) / (Slim - 1)) * (Scalar.Smooth((ring - First) / Emerging) - (2 * Between(ring, around))));
 
     /// <summary>How far the skin is drawn in towards the stalk, metres.</summary>
     /// <param name="ring">Ring of the body.</param>
