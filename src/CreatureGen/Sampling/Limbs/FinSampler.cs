@@ -141,19 +141,8 @@ internal static class FinSampler
             TailStyle.Fluke => 1,
             _ => 0,
         };
-        double spread = placement.Tail.Style switch
-        {
-            TailStyle.Fork => 0.29 * placement.Tail.Scale.Y,
-            TailStyle.Fan => 0.24 * placement.Tail.Scale.Y,
-            TailStyle.Lance => 0.15 * placement.Tail.Scale.Y,
-            TailStyle.Lunate => 0.3 * placement.Tail.Scale.Y,
-            TailStyle.Heterocercal => 0.24 * placement.Tail.Scale.Y,
-            TailStyle.Truncate => 0.24 * placement.Tail.Scale.Y,
-            TailStyle.Veil => 0.26 * placement.Tail.Scale.Y,
-            TailStyle.Fluke => 0.34 * placement.Tail.Scale.X,
-            _ => 0,
-        };
-        builder.Tail = new TailBlueprint(placement.Tail.Style, Lowered(builder, placement.Tail.Style, Stature.Fin(builder, TailFin) * spread), fork);
+        double spread = FinOutlines.SpreadOf(placement.Tail.Style) * (placement.Tail.Style == TailStyle.Fluke ? placement.Tail.Scale.X : placement.Tail.Scale.Y);
+        builder.Tail = FinOutlines.Vary(builder, new TailBlueprint(placement.Tail.Style, Lowered(builder, placement.Tail.Style, Stature.Fin(builder, TailFin) * spread), fork));
         TailFit.Sink(builder);
         builder.Shape = StanceSampler.ShapeOf(builder);
     }
@@ -201,8 +190,14 @@ internal static class FinSampler
     private static void Own(CreatureBuilder builder, RandomStream random, FinPreset preset)
     {
         double back = builder.Fitting * builder.Stream("sweep of fins").Uniform(-OtherSweep, OtherSweep);
-        foreach (FinSitePreset fin in preset.Fins)
+        foreach (FinSitePreset own in preset.Fins)
         {
+            FinSitePreset fin = FinOutlines.Vary(builder, own);
+            if (fin.Place != FinPlace.Pectoral && !builder.Sockets.IsFree(MidlineSocket(fin), 0))
+            {
+                fin = own;
+            }
+
             double length = CreatureBuilder.Between(random, fin.Length) * Stature.Fin(builder, builder.Fins.Count);
             length = fin.Place == FinPlace.Pectoral ? Shortened(builder, length) : length;
             double width = CreatureBuilder.Between(random, fin.Width);
@@ -211,9 +206,8 @@ internal static class FinSampler
             length *= ring == fin.Ring ? 1 : ShortBehindDisc;
             SocketBlueprint socket = fin.Place switch
             {
-                FinPlace.Dorsal => new SocketBlueprint(fin.Ring, 31, fin.Rows, 2),
-                FinPlace.Ventral => new SocketBlueprint(fin.Ring, 15, fin.Rows, 2),
-                _ => SocketSizing.Centre(ring, fin.Segment, fin.Rows, 2),
+                FinPlace.Pectoral => SocketSizing.Centre(ring, fin.Segment, fin.Rows, 2),
+                _ => MidlineSocket(fin),
             };
 
             // Fins of one species and legs of another may want the same place: the legs were first.
@@ -224,10 +218,15 @@ internal static class FinSampler
             }
         }
 
-        builder.Tail = new TailBlueprint(preset.Tail, Lowered(builder, preset.Tail, CreatureBuilder.Between(random, preset.TailSize) * Stature.Fin(builder, TailFin)), CreatureBuilder.Between(random, preset.TailFork), preset.TailLobe);
+        double size = CreatureBuilder.Between(random, preset.TailSize) * Stature.Fin(builder, TailFin);
+        TailBlueprint tail = FinOutlines.Other(builder, new TailBlueprint(preset.Tail, size, CreatureBuilder.Between(random, preset.TailFork), preset.TailLobe));
+        builder.Tail = FinOutlines.Vary(builder, tail with { Size = Lowered(builder, tail.Style, tail.Size) });
         TailFit.Sink(builder);
         builder.Shape = StanceSampler.ShapeOf(builder);
     }
+
+    /// <summary>Where a fin on back or belly stands.</summary>
+    private static SocketBlueprint MidlineSocket(FinSitePreset fin) => new(fin.Ring, fin.Place == FinPlace.Dorsal ? 31 : 15, fin.Rows, 2);
 
     /// <summary>A fish that walks or flies keeps the fin on its back.</summary>
     private static void Crest(CreatureBuilder builder, RandomStream random)
@@ -281,7 +280,7 @@ internal static class FinSampler
     private static double SweepOf(FinStyle style) => style switch { FinStyle.Sail or FinStyle.Ray => 0.35, FinStyle.Shark => 0.9, _ => 0.6 };
 
     /// <summary>Length of a fin of a family relative to a paddle on the same body.</summary>
-    private static double LengthOf(FinStyle style) => style switch
+    public static double LengthOf(FinStyle style) => style switch
     {
         FinStyle.Shark => 1.15,
         FinStyle.Tuna => 1.25,
