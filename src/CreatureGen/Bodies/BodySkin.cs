@@ -112,7 +112,7 @@ internal sealed class BodySkin
             for (int j = 0; j <= Half; j++)
             {
                 float along = i >= StationRing.TailFirst ? TailShift(shape, tail, tailStep, i, x[j], y[j]) : 0f;
-                along += rayed && TailRays.AreSplit(tail.Style) ? (float)TailRays.DrawnInAt(i, PortableMath.Tau * j / BodyGrid.Segments, tail.Size, tailStep) : 0f;
+                along += rayed && TailRays.AreSplit(tail.Style) ? (float)TailRays.DrawnInAt(tail.Style, i, PortableMath.Tau * j / BodyGrid.Segments, tail.Size, tailStep) : 0f;
                 float lift = i >= StationRing.TailFirst ? Camber(shape, tail, crest, i, x[j]) : 0f;
                 if (disc != null)
                 {

@@ -11,8 +11,11 @@ internal static class TailRays
 
     // By how much a ray is thicker and the skin beside it thinner than a fin without rays, and how far the edge between two rays lies ahead of their tips, in rings of the tail, and at most in sizes of the fin.
     private const double Relief = 0.4;
-    private const double Scallop = 0.35;
-    private const double DeepestScallop = 0.07;
+    private const double Scallop = 0.6;
+    private const double DeepestScallop = 0.12;
+
+    /// <summary>What is left of that on tails of sharks and tunas, which are stiff to their edge: scalloped deeper they are torn.</summary>
+    private const double StiffScallop = 0.5;
 
     /// <summary>How often as broad as thick a fin is whose rays stand out fully.</summary>
     private const double Slim = 20;
@@ -43,10 +46,11 @@ internal static class TailRays
         1 + (Relief * Scalar.Smooth((slimness - 1) / (Slim - 1)) * (Scalar.Smooth((ring - First) / Emerging) - (2 * Between(ring, around))));
 
     /// <summary>How far the skin is drawn in towards the stalk, metres.</summary>
+    /// <param name="style">Outline of the fin, whose edge is drawn in.</param>
     /// <param name="ring">Ring of the body.</param>
     /// <param name="around">Radians around the body from the back.</param>
     /// <param name="size">Size of the fin.</param>
     /// <param name="step">Metres between two rings.</param>
-    public static double DrawnInAt(double ring, double around, double size, double step) =>
-        Math.Min(Scallop * step, DeepestScallop * size) * Scalar.Smooth((ring - EdgeFirst) / EdgeRings) * Between(ring, around);
+    public static double DrawnInAt(TailStyle style, double ring, double around, double size, double step) =>
+        (style is TailStyle.Heterocercal or TailStyle.Lunate ? StiffScallop : 1) * Math.Min(Scallop * step, DeepestScallop * size) * Scalar.Smooth((ring - EdgeFirst) / EdgeRings) * Between(ring, around);
 }
