@@ -15,10 +15,11 @@ public sealed class FinOutlinesTests
 {
     private const int Count = 40;
 
-    // Least that fins on the backs of mixed dolphins differ in: places of their first ring, outlines, and their highest in their lowest; and flukes, in how hollow they are.
+    // Least that fins on the backs of mixed dolphins differ in: places of their first ring, outlines, their highest in their lowest and how far they are swept; and flukes, in how hollow they are.
     private const int Places = 3;
     private const int Styles = 2;
     private const double Heights = 1.3;
+    private const double Sweeps = 0.25;
     private const double Hollows = 0.8;
 
     [Fact]
@@ -30,6 +31,17 @@ public sealed class FinOutlinesTests
         Assert.True(fins.Select(fin => fin.Style).Distinct().Count() >= Styles);
         Assert.True(fins.Max(fin => fin.Length.Max) > Heights * fins.Min(fin => fin.Length.Max));
         Assert.All(Enumerable.Range(0, Count), seed => Assert.Equal(own, FinOutlines.Vary(Swimmer(seed, 0), own)));
+    }
+
+    [Fact]
+    public void Fins_that_the_plan_places_differ_in_height_and_sweep_on_mixed_swimmers_alone()
+    {
+        const double Height = 0.2;
+        const double Sweep = 0.9;
+        (double Height, double Sweep)[] fins = Enumerable.Range(0, Count).Select(seed => FinOutlines.Vary(Swimmer(seed, 0.6), Height, Sweep)).ToArray();
+        Assert.True(fins.Max(fin => fin.Height) > Heights * fins.Min(fin => fin.Height));
+        Assert.True(fins.Max(fin => fin.Sweep) - fins.Min(fin => fin.Sweep) > Sweeps);
+        Assert.All(Enumerable.Range(0, Count), seed => Assert.Equal((Height, Sweep), FinOutlines.Vary(Swimmer(seed, 0), Height, Sweep)));
     }
 
     [Fact]

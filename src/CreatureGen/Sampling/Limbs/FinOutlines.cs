@@ -24,7 +24,10 @@ internal static class FinOutlines
     private const double Higher = 0.5;
     private const double Longer = 1.4;
     private const double Upright = -0.6;
-    private const double Swept = 0.2;
+    private const double FartherSwept = 0.2;
+
+    /// <summary>Least sweep that a fin is drawn upright to.</summary>
+    private const double LeastSweep = 0.2;
 
     /// <summary>Cells of a fin that is too small to be shorter or longer, and ring at which the latest ends.</summary>
     private const int SmallRows = 6;
@@ -60,6 +63,14 @@ internal static class FinOutlines
 
         FinAnatomy anatomy = FinAnatomy.Of(builder.Plan);
         return fin.Place == FinPlace.Pectoral ? Paired(builder, fin, anatomy) : Midline(builder, fin, anatomy);
+    }
+
+    /// <summary>Height and sweep of a fin on the midline that the plan places: those of one swimmer are alike, those of two are not.</summary>
+    public static (double Height, double Sweep) Vary(CreatureBuilder builder, double height, double sweep)
+    {
+        RandomStream random = builder.Stream("outline of placed fins");
+        double higher = 1 + (builder.Strangeness * random.Uniform(Lower, Higher));
+        return (higher * height, Swept(builder.Strangeness, random, sweep));
     }
 
     /// <summary>The upright tail of the species, or another one that the plan allows.</summary>
@@ -100,9 +111,12 @@ internal static class FinOutlines
         int rows = fin.Rows + (fin.Rows > SmallRows ? 2 * Whole(strange * random.Uniform(-Longer, Longer)) : 0);
         int ring = Math.Max(Math.Min(fin.Ring, LastEnd - rows), Math.Min(fin.Ring + Whole(strange * random.Uniform(Ahead, Behind)), LastEnd - rows));
         double height = 1 + (strange * random.Uniform(Lower, Higher));
-        double sweep = Scalar.Clamp(fin.Sweep + (strange * random.Uniform(Upright, Swept)), Math.Min(fin.Sweep, 0.2), 1);
+        double sweep = Swept(strange, random, fin.Sweep);
         return new FinSitePreset(fin.Place, style, ring, fin.Segment, rows, (height * fin.Length.Min, height * fin.Length.Max), fin.Width, fin.Drop, sweep);
     }
+
+    private static double Swept(double strangeness, RandomStream random, double own) =>
+        Scalar.Clamp(own + (strangeness * random.Uniform(Upright, FartherSwept)), Math.Min(own, LeastSweep), 1);
 
     private static FinSitePreset Paired(CreatureBuilder builder, FinSitePreset fin, FinAnatomy anatomy)
     {

@@ -129,7 +129,8 @@ internal static class FinSampler
             else
             {
                 double height = builder.Plan == BodyPlan.Eel ? 0.13 : fin.Place == FinPlace.Ventral ? 0.12 : builder.Plan == BodyPlan.Whale ? 0.16 : 0.2;
-                builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, fin.Socket, size * height * fin.Scale.Y, 0, 0, SweepOf(fin.Style)));
+                (double outlined, double swept) = FinOutlines.Vary(builder, size * height * fin.Scale.Y, SweepOf(fin.Style));
+                builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, fin.Socket, outlined, 0, 0, swept));
             }
         }
 

@@ -94,7 +94,7 @@ internal sealed record FinAnatomy(
         new CountRange(5, 14),
         29,
         42,
-        new[] { new FinChoice(FinStyle.Shark, 1), new FinChoice(FinStyle.Carp, 0.4), new FinChoice(FinStyle.Ray, 0.3) },
+        new[] { new FinChoice(FinStyle.Shark, 0.8), new FinChoice(FinStyle.Tuna, 0.6), new FinChoice(FinStyle.Carp, 0.4), new FinChoice(FinStyle.Ray, 0.3) },
         new CountRange(1, 1),
         new[] { new FinSite(24, 10, 1) },
         flippers,
