@@ -57,7 +57,7 @@ internal sealed class FallProfile
         Legs = LyingLeg.Of(legs);
         Topple = ToppleManner.Of(Legs, subject.Seed);
         bool topples = Topple.Topples;
-        Ragdoll = topples ? new RagdollRig(subject.Skeleton, subject.Bones, PassiveLimit.Of) : new RagdollRig(subject.Skeleton, subject.Bones);
+        Ragdoll = Legs.Length > 0 ? new RagdollRig(subject.Skeleton, subject.Bones, PassiveLimit.Of(subject.Skeleton, Legs.Length)) : new RagdollRig(subject.Skeleton, subject.Bones);
         Tone = LimpTone.Of(Ragdoll, topples || (legs != null && subject.Skeleton.FirstOf(JointRole.Wing) >= 0), topples);
         Manner = RisingManner.Of(subject);
         Mass = Math.Max(subject.Mass.Mass, 1e-4f);

@@ -17,7 +17,7 @@ internal struct Topple
 
     /// <summary>How its flank holds it, which is flat where what the ground feels of it is round: what of the roll it takes away, 1/τ, and how fast it brings back a body that is on its back, 1/τ²; sines of how far that is beyond the flank as it begins and as all of it is there; and how long it lasts, τ.</summary>
     private const float Brake = 4f;
-    private const float Back = 2.4f;
+    private const float Back = 4f;
     private const float OnFlank = -0.1f;
     private const float BeyondFlank = 0.4f;
     private const float HeldTime = 8f;
