@@ -49,7 +49,7 @@ public sealed record CreatureBlueprint(
     /// <summary>
     /// Version of the algorithm of this library: the same seed, options and algorithm give the same bytes. It is raised whenever a seed or a blueprint would build other bytes.
     /// </summary>
-    public const int CurrentAlgorithm = 41;
+    public const int CurrentAlgorithm = 42;
 
     /// <summary>Its JSON text on one line, the same in every culture.</summary>
     public override string ToString() => RecordJson.LineOf(this, CreatureFields.Creature);

@@ -83,8 +83,8 @@ internal static class LegGrower
     /// <summary>How far the foot of a leg out to the side is turned to the level where it hangs in the water: level, it is a stick from the front and the side.</summary>
     private const float OarTurn = 0.4f;
 
-    /// <summary>Rows between a joint that folds and the rings of skin beside its own, which round it.</summary>
-    private const float BesideJoint = 0.25f;
+    /// <summary>Rows between the ring of a knee and the one below it that rounds it.</summary>
+    private const float BelowKnee = 0.25f;
 
     private static readonly float[] insectSections = { 0f, 0.5f, 1f, 1.6f, 2.3f, 3f, 3.5f, 4f, 4.5f, 5f, 6f, 7f, 8f };
 
@@ -220,29 +220,14 @@ internal static class LegGrower
             }
         }
 
-        if (form.End != FootEnd.Pad)
+        if (form.LongToed || form.Lateral)
         {
-            // On one ring a joint that folds deep is a block with two corners. Columns hardly fold, and neither stout knees under the body nor ankles out to its side have room for more skin in their hollows.
-            if (form.LongToed || form.Lateral)
-            {
-                Round(form.KneeRow);
-            }
-
-            if (!form.Lateral)
-            {
-                Round(form.AnkleRow);
-            }
-
+            // On one ring a knee that folds deep is a block with two corners. The hollow above it has no room for more skin, and stout knees under the body have none on either side.
+            sections.Add(form.KneeRow + BelowKnee);
             sections.Sort();
         }
 
         return sections.ToArray();
-
-        void Round(int joint)
-        {
-            sections.Add(joint - BesideJoint);
-            sections.Add(joint + BesideJoint);
-        }
     }
 
     private static Appendage Describe(LegForm form, LegBlueprint leg, SocketLoop socket, LegPath path, SweepResult grown)

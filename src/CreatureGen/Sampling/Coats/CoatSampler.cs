@@ -15,7 +15,7 @@ internal static class CoatSampler
     private const double KnownColourings = 0.55;
 
     /// <summary>Probability that a mixed body in a plain coat has a pattern of its animals instead: of one tone from head to foot a body of several is a cast.</summary>
-    private const double PatternsOfMixed = 0.6;
+    private const double PatternsOfMixed = 0.3;
 
     // How far one species' wear of a known colouring may be from another's: lightness, factor of chroma, degrees of hue; its marks half as far.
     private const double LightnessVariety = 0.1;

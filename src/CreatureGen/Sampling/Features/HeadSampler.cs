@@ -81,7 +81,7 @@ internal static class HeadSampler
     private const double OfFrogs = 0.4;
 
     // A nape and a throat behind the head of another body: how far they are drawn in, in radii of the section, and the breadth of the neck, in that of the head, from which on they are, and at which they wholly are.
-    private const double Nape = 0.14;
+    private const double Nape = 0.1;
     private const double NapeFrom = 0.6;
     private const double NapeWhole = 0.95;
 
