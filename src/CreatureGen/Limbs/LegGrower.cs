@@ -84,7 +84,7 @@ internal static class LegGrower
     private const float OarTurn = 0.4f;
 
     /// <summary>Rows between the ring of a knee and the one below it that rounds it.</summary>
-    private const float BelowKnee = 0.25f;
+    private const float BelowKnee = 0.35f;
 
     private static readonly float[] insectSections = { 0f, 0.5f, 1f, 1.6f, 2.3f, 3f, 3.5f, 4f, 4.5f, 5f, 6f, 7f, 8f };
 

@@ -80,8 +80,8 @@ internal static class HeadSampler
     private const double HighestCrown = 0.3;
     private const double OfFrogs = 0.4;
 
-    // A nape and a throat behind the head of another body: how far they are drawn in, in radii of the section, and the breadth of the neck, in that of the head, from which on they are, and at which they wholly are.
-    private const double Nape = 0.1;
+    // A nape and a throat behind the head of another body in the water, where necks are thick: how far they are drawn in, in radii of the section, and the breadth of the neck, in that of the head, from which on they are, and at which they wholly are.
+    private const double Nape = 0.14;
     private const double NapeFrom = 0.6;
     private const double NapeWhole = 0.95;
 
@@ -251,7 +251,7 @@ internal static class HeadSampler
             Add(1.4, 0, 0.6, 4.6, -LipGroove * builder.Fitting);
         }
 
-        if (species.Class != AnimalClass.Arthropod && builder.Parents.Head != builder.Parents.First && builder.Species.Disc.Sweep == 0)
+        if (builder.Kind == LocomotionKind.Swimming && species.Class != AnimalClass.Arthropod && builder.Parents.Head != builder.Parents.First && builder.Species.Disc.Sweep == 0)
         {
             Add(16.6, 8, 1.7, 16, -Nape * builder.Fitting * Scalar.Smooth((NeckBreadth(builder.Shape) - NapeFrom) / (NapeWhole - NapeFrom)));
         }
