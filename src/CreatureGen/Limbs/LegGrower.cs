@@ -83,9 +83,6 @@ internal static class LegGrower
     /// <summary>How far the foot of a leg out to the side is turned to the level where it hangs in the water: level, it is a stick from the front and the side.</summary>
     private const float OarTurn = 0.4f;
 
-    /// <summary>Rows between the ring of a knee and the one below it that rounds it.</summary>
-    private const float BelowKnee = 0.35f;
-
     private static readonly float[] insectSections = { 0f, 0.5f, 1f, 1.6f, 2.3f, 3f, 3.5f, 4f, 4.5f, 5f, 6f, 7f, 8f };
 
     /// <summary>Grows the left leg, mirrors it, and says where its joints are.</summary>
@@ -218,13 +215,6 @@ internal static class LegGrower
             {
                 sections.Add(row);
             }
-        }
-
-        if (form.LongToed || form.Lateral)
-        {
-            // On one ring a knee that folds deep is a block with two corners. The hollow above it has no room for more skin, and stout knees under the body have none on either side.
-            sections.Add(form.KneeRow + BelowKnee);
-            sections.Sort();
         }
 
         return sections.ToArray();
