@@ -134,13 +134,7 @@ internal static class FinOutlines
     private static FinStyle Style(RandomStream random, double strangeness, FinStyle own, IReadOnlyList<FinChoice> choices)
     {
         bool other = random.Chance(OtherOutline * strangeness);
-        double[] weights = new double[choices.Count];
-        for (int i = 0; i < weights.Length; i++)
-        {
-            weights[i] = choices[i].Weight;
-        }
-
-        FinStyle style = choices[random.Weighted(weights)].Style;
+        FinStyle style = choices[SwimmingRules.Draw(random, choices, choice => choice.Weight)].Style;
         return other ? style : own;
     }
 

@@ -114,7 +114,8 @@ internal static class SwimmingRules
 
     private static int Even(double rows) => Math.Max(MinRows, Math.Min(MaxRows, 2 * (int)Math.Round(0.5 * rows, MidpointRounding.ToEven)));
 
-    private static int Draw<T>(RandomStream stream, IReadOnlyList<T> choices, Func<T, double> weight)
+    /// <summary>The index of one of several choices, each as likely as its weight says.</summary>
+    public static int Draw<T>(RandomStream stream, IReadOnlyList<T> choices, Func<T, double> weight)
     {
         Span<double> weights = stackalloc double[choices.Count];
         for (int i = 0; i < weights.Length; i++)
